@@ -41,17 +41,21 @@ pub struct Character<B = Aabb> {
     /// `velocity.y`. The next [`step`](Self::step) adds gravity first, so a launch at -4 rises by
     /// 3.75 in its first frame. (A jump at 4 rises by 4.)
     ///
-    /// If you make it rise faster than the last step left it, it leaves its floor as by a jump: it
-    /// takes a lift's motion along, and has no coyote time. No release of the button cuts the rise.
+    /// If you make it rise faster than the last step left it, it leaves its floor as by a jump, and
+    /// has no coyote time. No release of the button cuts the rise.
+    ///
+    /// On a moving solid it is the velocity seen from there. However the character leaves it (by a
+    /// jump, a drop, a launch, or over its edge), the solid's motion is added.
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,
     pub(super) body: B,
     pub(super) limits: Aabb,
     pub(super) floor: Option<Support>,
-    /// The motion of the solid that it jumped off. Seen from there, its flight is that on still
-    /// ground.
+    /// The motion of the solid that it left. Seen from there, its flight is that on still ground.
     pub(super) base: Vec2,
+    /// How far it still falls through one-way floors below the solid that it dropped from.
+    pub(super) through: Fx,
     /// The velocity along y that the last step left: the caller has launched it if it rises faster.
     pub(super) left: Fx,
     /// Whether the button was down in the last frame.
@@ -77,6 +81,8 @@ pub(super) struct Plan {
     jumped: bool,
     /// Whether it drops through the one-way floor that it stands on.
     drops: bool,
+    /// Whether it stands and stays a walker: the velocity then has no part along "up".
+    walks: bool,
 }
 
 impl<B: Body> Character<B> {
@@ -92,6 +98,7 @@ impl<B: Body> Character<B> {
             limits,
             floor: None,
             base: Vec2::ZERO,
+            through: Fx::ZERO,
             left: Fx::ZERO,
             held: false,
             jumps: false,
@@ -241,7 +248,9 @@ impl<B: Body> Character<B> {
         let (mut jumped, launched) = (false, fall < 0 && self.falls() < self.downward(self.left));
         if launched {
             (self.away, self.jumps) = (u8::MAX, false);
-            self.base = if stands { carry } else { self.base };
+        }
+        if stands {
+            self.base = carry; // if it leaves the floor in this frame
         }
 
         let drops = input.drop && self.floor.is_some_and(|floor| floor.one_way);
@@ -251,13 +260,13 @@ impl<B: Body> Character<B> {
         if can_jump && (off_floor || off_wall.is_some()) {
             // A jump takes no upward speed away, which a spring or a ramp gave. It is cut only if
             // its own speed is the larger one.
-            let jump = feel.jump.saturating_neg();
-            self.jumps = falls >= jump;
-            fall = if self.jumps { jump } else { falls };
-            self.base = if stands { carry } else { Vec2::ZERO };
             if let Some(push) = off_wall.filter(|_| !off_floor) {
                 run = if self.wall > 0 { push.saturating_neg() } else { push };
+                (self.base, fall) = (Vec2::ZERO, falls);
             }
+            let jump = feel.jump.saturating_neg();
+            self.jumps = fall >= jump;
+            fall = fall.min(jump);
             (self.wish, self.away, self.wall, jumped) = (0, u8::MAX, 0, true);
         }
         self.wish = self.wish.saturating_sub(1);
@@ -268,15 +277,27 @@ impl<B: Body> Character<B> {
         if input.drop {
             self.away = u8::MAX;
         }
+        let walker = self.walker(self.passes(input.drop))?;
+        // A solid that sinks comes below the feet again, before the body falls. Farther below it
+        // than it sinks in a frame, the drop is over. It sinks by at most the snap; the rest is for
+        // one that speeds up.
+        if drops && self.ridden().is_some() {
+            let sinks = self.downward(carry.y).max(Fx::ZERO);
+            self.through = feel.snap.saturating_add(sinks).saturating_add(Fx::DELTA);
+        }
+        self.through = if fall > 0 { self.through.saturating_sub(fall).max(Fx::ZERO) } else { Fx::ZERO };
 
         let velocity = Vec2::new(run, self.downward(fall)) + self.base;
-        let made = match (stands, jumped || launched) {
-            (true, true) => carry,
-            (true, false) => Vec2::ZERO,
-            // A push in its own direction makes a part of its way.
-            (false, _) => Vec2::new(shared(carry.x, velocity.x), shared(carry.y, velocity.y)),
-        };
-        Ok(Plan { walker: self.walker(input.drop)?, velocity: velocity - made, made, jumped, drops })
+        // A push in its own direction makes a part of its way.
+        let pushed = Vec2::new(shared(carry.x, velocity.x), shared(carry.y, velocity.y));
+        let made = if stands { carry } else { pushed };
+        let walks = stands && !(jumped || launched || drops);
+        Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
+    }
+
+    /// Whether it passes one-way floors, if the button for that is down or not.
+    pub(super) const fn passes(&self, drop: bool) -> bool {
+        drop || self.through.to_bits() > 0
     }
 
     pub(super) fn walker(&self, drop: bool) -> Result<Walker, RangeError> {
@@ -292,25 +313,33 @@ impl<B: Body> Character<B> {
             Err(e) => {
                 let outcome = refused(e)?;
                 (self.velocity, self.floor, self.base, self.left) = (Vec2::ZERO, None, Vec2::ZERO, Fx::ZERO);
+                self.through = Fx::ZERO;
                 return Ok(Step::nothing(outcome));
             }
         };
         let moved = &walked.moved;
-        let landed = self.floor.is_none() && walked.floor.is_some();
+        let stood = self.floor.is_some();
+        let landed = !stood && walked.floor.is_some();
         (self.body, self.floor) = (moved.body, walked.floor);
         // The parts of the velocity that nothing changed go on. On a solid, the velocity counts as
         // seen from the solid again.
         let (now, was) = (moved.velocity, plan.velocity);
+        let free = if plan.walks { (!moved.wall, !moved.ceiling) } else { (now.x == was.x, now.y == was.y) };
         let kept = |v: Vec2| {
-            let part = |now, was, v| if now == was { v } else { Fx::ZERO };
-            Vec2::new(part(now.x, was.x, v.x), part(now.y, was.y, v.y))
+            let part = |free, v| if free { v } else { Fx::ZERO };
+            Vec2::new(part(free.0, v.x), part(free.1, v.y))
         };
-        let base = kept(self.base);
+        let (base, full) = (kept(self.base), now + kept(plan.made));
         (self.base, self.velocity) = match walked.floor {
-            None => (base, now + kept(plan.made)),
-            Some(floor) if Solids::key_of(floor.cell).is_some() => (Vec2::ZERO, Vec2::new(now.x - base.x, now.y)),
-            Some(_) => (Vec2::ZERO, now),
+            None => (base, full),
+            Some(floor) if stood || Solids::key_of(floor.cell).is_some() => {
+                (Vec2::ZERO, Vec2::new(full.x - base.x, now.y))
+            }
+            Some(_) => (Vec2::ZERO, Vec2::new(full.x, now.y)),
         };
+        if walked.floor.is_some() {
+            self.through = Fx::ZERO;
+        }
         self.left = self.velocity.y;
         self.jumps &= walked.floor.is_none();
         if plan.drops && walked.floor.is_none() {

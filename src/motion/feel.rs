@@ -15,6 +15,10 @@ pub struct Input {
     /// Whether to drop through one-way floors in this frame. One frame is enough for the floor that
     /// it stands on; while it stays true, it passes all that follow. On a one-way floor it wins
     /// over `jump`.
+    ///
+    /// Off a one-way solid, which may sink, one frame counts until the feet are [`Feel::snap`] and
+    /// its motion below it. Until then the character passes other one-way floors as well. A lift
+    /// that speeds up by more than half the gravity per frame may still catch it.
     pub drop: bool,
 }
 
@@ -104,14 +108,20 @@ pub enum Outcome {
     #[default]
     Moved,
     /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`](super::Ride::Squashed).
+    /// You get it in each frame until that solid turns back or has passed. A one-way solid squashes
+    /// nobody: without room, it passes through the character.
     Squashed {
         /// The key of the solid.
         by: u16,
         /// Out of that solid, toward the body.
         normal: Axis,
     },
-    /// It overlaps the level and did not move. It started in a wall, a door closed on it, or a
-    /// solid that squashed it has not passed yet. `level.overlaps(hero.body())` is true.
+    /// It overlaps the level and did not move: it started in a wall, or a tile closed on it.
+    /// `level.overlaps(hero.body())` is true.
+    ///
+    /// With [`step_carried`](crate::Character::step_carried) in a [`Joined`](crate::Joined) level, a
+    /// solid that squashed it counts as level. [`step_on`](crate::Character::step_on) returns
+    /// [`Squashed`](Self::Squashed) instead.
     Stuck,
     /// It is entirely below its limits, or beside them. It may fly above them.
     OutOfLevel,

@@ -53,16 +53,26 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// Whether the floor ends ahead: whether it would fall if it walked on by `run` and its own
-    /// width. A patrol turns round then, with its feet still on the floor.
+    /// Whether the floor ends ahead: whether it would fall if it walked on by `far` and its own
+    /// width. If the answer is `false`, its front can go on by `far`, and stays on the floor. The
+    /// sign of `far` is the direction.
     ///
-    /// Only the sign and the size of `run` count, which is the speed that you are about to pass to
-    /// [`step`](Self::step). Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are no
-    /// ledges, and neither are gaps that it walks over. One-way floors are floors. In the air the
-    /// answer is `false`.
+    /// **How far.** A patrol that turns a frame later goes on by the way of that frame and by its
+    /// braking distance. If its speed is then `v`, pass `v + v * v / (2 * a)` with the
+    /// [`Feel::acceleration`](crate::Feel::acceleration) `a`, and the sign of its direction. Then its front never leaves
+    /// the floor. If `a` is at least `v`, it stops in one frame, and `v` is enough. The chapter on
+    /// walkers in the guide has the program, also for short platforms.
+    ///
+    /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are no ledges, and neither
+    /// are gaps that it walks over. It looks by its own steps: a gap exactly as wide as the body
+    /// counts only if one of them ends over it. One-way floors are floors. In the air the answer is
+    /// `false`.
     ///
     /// Cost: a [`Walker::walk`](crate::Walker::walk) for every five eighths of the snap, and at most
-    /// sixteen: four for a body of 10 units.
+    /// sixteen: four for a body of 10 units at a speed of 1. That is more than all else that a
+    /// patrol does in a frame. To save it, ask in every `n`-th frame, with `far` larger by
+    /// `(n - 1) * v`. If `far` and the width are more than ten times the snap, the steps are
+    /// longer, and slopes that lead down may count as ledges: raise the snap.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -70,10 +80,11 @@ impl<B: Body> Character<B> {
     /// let level = TileMap::from_ascii("........\n.=====..", &KINDS)?; // from x = 16 to 96
     /// let body = Aabb::new(Vec2::from_ints(30, 2), Vec2::from_ints(40, 16))?;
     /// let mut enemy = Character::new(body, level.bounds(), Feel::DEFAULT);
+    /// // A unit for a frame, and at most a unit to brake.
     /// let (mut run, mut turns) = (fx!(1), 0);
     /// for _ in 0..400 {
     ///     let step = enemy.step(&level, Input { run, ..Input::default() })?;
-    ///     if step.wall || enemy.ledge_ahead(&level, run)? {
+    ///     if step.wall || enemy.ledge_ahead(&level, run * 2)? {
     ///         (run, turns) = (-run, turns + 1);
     ///     }
     ///     assert!(enemy.body().min().x >= 16 && enemy.body().max().x <= 96);
@@ -83,19 +94,19 @@ impl<B: Body> Character<B> {
     /// ```
     ///
     /// # Errors
-    /// As [`step`](Self::step), also if `run` and the width together are not below 4096 units.
+    /// As [`step`](Self::step), also if `far` and the width together are not below 4096 units.
     #[doc(alias("patrol", "edge detection", "cliff"))]
-    pub fn ledge_ahead<W: World>(&self, level: &W, run: Fx) -> Result<bool, RangeError> {
+    pub fn ledge_ahead<W: World>(&self, level: &W, far: Fx) -> Result<bool, RangeError> {
         let bounds = self.body.bounds();
-        let far = bounds.max().x.saturating_sub(bounds.min().x).saturating_add(run.saturating_abs());
+        let way = bounds.max().x.saturating_sub(bounds.min().x).saturating_add(far.saturating_abs());
         let walker = self.walker(false)?.with_slope_speed(SlopeSpeed::Constant);
         // Short of two thirds of the snap, it follows ground of 45 degrees; at most sixteen parts.
         let snap = self.feel.snap;
-        let part = (snap >> 1_u32).saturating_add(snap >> 3_u32).max((far >> 4_u32).saturating_add(Fx::DELTA));
-        let (mut body, mut floor, mut left) = (self.body, self.floor, far);
+        let part = (snap >> 1_u32).saturating_add(snap >> 3_u32).max((way >> 4_u32).saturating_add(Fx::DELTA));
+        let (mut body, mut floor, mut left) = (self.body, self.floor, way);
         while floor.is_some() && left > 0 {
             let way = left.min(part);
-            let velocity = Vec2::new(if run < 0 { way.saturating_neg() } else { way }, Fx::ZERO);
+            let velocity = Vec2::new(if far < 0 { way.saturating_neg() } else { way }, Fx::ZERO);
             let walked = match walker.walk(level, &body, velocity, floor) {
                 Ok(walked) => walked,
                 Err(e) => return Ok(refused(e)? == Outcome::OutOfLevel),

@@ -78,9 +78,13 @@ impl<B: Body> Character<B> {
     /// When the call returns, all solids have moved, even if it returns an error. So call it once
     /// per frame. For several characters on the same solids there is [`step_all`](Self::step_all).
     ///
-    /// A jump off a solid adds the solid's motion. Seen from a solid that keeps its motion, the
-    /// flight is that on still ground. In the frame of the jump the character moves by its own
-    /// velocity only.
+    /// A character that leaves a solid takes its motion along: by a jump, a drop, a launch, or over
+    /// the edge. Seen from a solid that keeps its motion, the flight is that on still ground. One
+    /// thing differs: solids go first, so one that sinks comes once more under a body that ran off
+    /// its front, and may stop its fall for a frame.
+    ///
+    /// In the frame of a jump the ride has already made the solid's part, and the walk makes the
+    /// jump's. Both together are the new `velocity`.
     ///
     /// Cost: [`Mover::ride`] or [`Mover::ride_convex`], and [`Walker::walk`](crate::Walker::walk) in a
     /// [`Joined`] level.
@@ -206,7 +210,7 @@ impl<B: Body> Character<B> {
     ///     Solid::move_all(&mut solids);
     ///     let moved = solids.map(|solid| solid.with_motion(Vec2::from_ints(1, 0)).unwrap());
     ///     for (hero, carry) in heroes.iter_mut().zip(carries) {
-    ///         hero.step_carried(&Joined::new(&level, &Solids::new(&moved)), Input::default(), carry)?;
+    ///         let _ = hero.step_carried(&Joined::new(&level, &Solids::new(&moved)), Input::default(), carry)?;
     ///     }
     ///     solids = moved;
     /// }
@@ -223,8 +227,15 @@ impl<B: Body> Character<B> {
         drop: bool,
     ) -> Result<(Outcome, Vec2), RangeError> {
         let follow = if self.floor.is_some() { self.feel.snap } else { self.falls().saturating_add(self.pull()) };
-        let mover = self.mover().with_drop_through(drop);
-        let ridden = M::ride(&mover, level, solids, &self.body, follow.max(Fx::ZERO));
+        // From a one-way solid it drops after the ride, which takes it along.
+        let stands = self.floor.is_some_and(|floor| floor.one_way) && self.ridden().is_some();
+        let mover = self.mover().with_drop_through(self.passes(drop) && !stands);
+        let ride = |mover: &Mover| M::ride(mover, level, solids, &self.body, follow.max(Fx::ZERO));
+        let ridden = match ride(&mover) {
+            // One-way solids pass through what has no room.
+            Ok(Ridden { ride: Ride::Squashed { .. }, .. }) => ride(&mover.with_drop_through(true)),
+            ridden => ridden,
+        };
         match ridden {
             Ok(ridden) => {
                 self.body = ridden.body;

@@ -78,6 +78,7 @@ struct Hero<B> {
     limits: Aabb,
     floor: Option<Support>,
     base: Vec2,
+    through: Fx,
     left: Fx,
     held: bool,
     jumps: bool,
@@ -91,8 +92,8 @@ impl<B: Copy> Form<Character<B>> for Hero<B> {
     type Fault = &'static str;
 
     fn of(hero: &Character<B>) -> Self {
-        let Character { velocity, feel, body, limits, floor, base, left, held, jumps, wish, away, wall, wall_age } =
-            *hero;
+        let Character { velocity, feel, body, limits, floor, base, through, left, held, jumps, wish, .. } = *hero;
+        let Character { away, wall, wall_age, .. } = *hero;
         Self {
             version: Version,
             velocity,
@@ -101,6 +102,7 @@ impl<B: Copy> Form<Character<B>> for Hero<B> {
             limits,
             floor,
             base,
+            through,
             left,
             held,
             jumps,
@@ -112,15 +114,30 @@ impl<B: Copy> Form<Character<B>> for Hero<B> {
     }
 
     fn check(self) -> Result<Character<B>, Self::Fault> {
-        let Self { velocity, feel, body, limits, floor, base, left, held, jumps, wish, away, wall, wall_age, .. } =
-            self;
+        let Self { velocity, feel, body, limits, floor, base, through, left, held, jumps, wish, .. } = self;
+        let Self { away, wall, wall_age, .. } = self;
         if !(-1..=1).contains(&wall) {
             return Err("the side of its last wall is -1, 0 or 1");
         }
         if floor.is_some_and(|floor| floor.axis.is_zero()) {
             return Err("its floor has no normal");
         }
-        Ok(Character { velocity, feel, body, limits, floor, base, left, held, jumps, wish, away, wall, wall_age })
+        Ok(Character {
+            velocity,
+            feel,
+            body,
+            limits,
+            floor,
+            base,
+            through,
+            left,
+            held,
+            jumps,
+            wish,
+            away,
+            wall,
+            wall_age,
+        })
     }
 }
 

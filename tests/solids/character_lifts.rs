@@ -89,6 +89,121 @@ fn a_flight_off_a_lift_is_that_on_still_ground() {
     }
 }
 
+/// How a hero leaves a lift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Leaves {
+    Drops,
+    RunsOff,
+    /// Over the edge, and a jump some frames later.
+    Late(u32),
+}
+
+/// A drop through a one-way lift and a run over its edge are those on still ground too: position,
+/// frame by frame, whichever way the lift goes. So is a jump in the coyote time. In one case the
+/// lift gets in the way: it goes before the body, so one that sinks comes under a body that has
+/// just run off its front. There the body does not stand again.
+#[test]
+fn every_way_off_a_lift_is_that_on_still_ground() {
+    fn plays<B: Body + PartialEq + std::fmt::Debug>(body: B, leaves: Leaves, random: &mut Random) -> bool {
+        let level = TileMap::from_ascii("   \n", &KINDS).unwrap();
+        let motion = Vec2::from_raw(random.around(3 << 16) as i32, random.around(5 << 16) as i32);
+        let lift = Solid::new(boxed(0, 24, 60, 8), 7).unwrap().with_one_way(Side::Up);
+        let mut still = (Character::new(body, limits(), Feel::DEFAULT), [lift]);
+        while !still.0.on_floor() {
+            let _ = still.0.step_on(&level, &mut still.1, NOTHING).unwrap();
+        }
+        let mut moves = still;
+        let run = Fx::from_bits(random.within(1 << 15, 3 << 16) as i32) * random.sign() as i32;
+        let offset = |(hero, lifts): &(Character<B>, [Solid; 1])| hero.body().position() - lifts[0].shape().min();
+        let exact = leaves == Leaves::Drops || motion.y <= 0 || (motion.x < 0) != (run < 0);
+        let mut away = 0;
+        for frame in 0..200 {
+            let press = |n| leaves == Leaves::Late(n) && away == n;
+            let jump = (1..=Feel::DEFAULT.coyote.into()).any(press);
+            let input = Input { run, jump, drop: leaves == Leaves::Drops && frame == 2 };
+            moves.1[0] = moves.1[0].with_motion(motion).unwrap();
+            let before = moves.0.body().position();
+            let a = still.0.step_on(&level, &mut still.1, input).unwrap();
+            let b = moves.0.step_on(&level, &mut moves.1, input).unwrap();
+            let case = || format!("{leaves:?} {motion:?} {run} {frame} {:?} {:?}", still.0, moves.0);
+            assert_eq!((a.jumped, still.0.on_floor()), (b.jumped, moves.0.on_floor()), "{}", case());
+            assert_eq!(jump, b.jumped, "{}", case());
+            away += u32::from(!moves.0.on_floor());
+            // Until it falls faster than the fastest fall.
+            if away > 19 {
+                return exact;
+            }
+            if !exact && away > 0 {
+                continue;
+            }
+            assert_eq!(offset(&moves), offset(&still), "{}", case());
+            let carried = if moves.0.on_floor() { Vec2::ZERO } else { motion };
+            assert_eq!(moves.0.velocity, still.0.velocity + carried, "{}", case());
+            if away > 0 && leaves == Leaves::Drops {
+                assert_eq!(moves.0.body().position() - before, moves.0.velocity, "{}", case());
+            }
+        }
+        panic!("never off: {leaves:?} {motion:?} {run}");
+    }
+    let (mut random, mut exact) = (Random::new(13), 0);
+    for n in 0..600 {
+        let leaves = [Leaves::Drops, Leaves::RunsOff, Leaves::Late(1 + n / 3 % 5)][n as usize % 3];
+        exact += u32::from(plays(boxed(20, 4, 10, 14), leaves, &mut random));
+        exact += u32::from(plays(Circle::new(Vec2::from_ints(30, 10), fx!(6.5)).unwrap(), leaves, &mut random));
+    }
+    assert!(exact > 900, "{exact}");
+}
+
+/// One frame of `drop` is enough, also if the lift starts to sink, speeds up or turns round in any
+/// later frame, by up to half the gravity per frame.
+#[test]
+fn one_frame_drops_through_a_lift_that_changes_its_motion() {
+    let level = TileMap::from_ascii("   \n", &KINDS).unwrap();
+    let starts = [fx!(0), fx!(0.5), fx!(1), fx!(2), fx!(4), fx!(5), fx!(-0.5), fx!(-3)];
+    let rates = [fx!(0), fx!(0.05), fx!(0.125), fx!(-0.125)];
+    for (before, rate) in starts.into_iter().flat_map(|before| rates.map(|rate| (before, rate))) {
+        for change in 0..30 {
+            let mut lift = [Solid::new(boxed(0, 24, 60, 8), 7).unwrap().with_one_way(Side::Up)];
+            let mut hero = Character::new(boxed(20, 10, 10, 14), limits(), Feel::DEFAULT);
+            let mut go = |frame: i32, drop| {
+                let y = if frame < -5 { fx!(0) } else { before + rate * (frame - change).max(0) };
+                lift[0].set_motion(Vec2::new(fx!(0), y.min(fx!(5)))).unwrap();
+                let _ = hero.step_on(&level, &mut lift, Input { drop, ..NOTHING }).unwrap();
+                (hero.on_floor(), hero.body().max().y - lift[0].shape().min().y)
+            };
+            let _ = go(-9, false);
+            assert!((-5..0).all(|frame| go(frame, false).0));
+            // Until it is below the lift, or the lift has gone from it.
+            for frame in 0..30 {
+                let (on_floor, below) = go(frame, frame == 0);
+                assert!(!on_floor, "{before} {rate} {change} {frame} {below}");
+                if below > 6 || below < 0 {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// It runs over the front edge of a lift that is faster than it: it keeps the lift's speed, and
+/// the lift does not catch it.
+#[test]
+fn nobody_surfs_on_the_front_edge() {
+    let level = TileMap::from_ascii("   \n", &KINDS).unwrap();
+    let mut lift = [Solid::new(boxed(0, 24, 30, 6), 7).unwrap()];
+    let mut hero = Character::new(boxed(10, 10, 10, 14), limits(), Feel::DEFAULT);
+    let (mut speeds, mut leaves) = (Vec::new(), 0);
+    for _ in 0..60 {
+        lift[0].set_motion(Vec2::from_ints(2, 0)).unwrap();
+        let (x, on_floor) = (hero.body().min().x, hero.on_floor());
+        let _ = hero.step_on(&level, &mut lift, Input { run: fx!(1.5), ..NOTHING }).unwrap();
+        speeds.push(hero.body().min().x - x);
+        leaves += u32::from(on_floor && !hero.on_floor());
+    }
+    assert_eq!((leaves, hero.ridden()), (1, None));
+    assert!(speeds[10..].iter().all(|&speed| speed == fx!(3.5)), "{speeds:?}");
+}
+
 #[test]
 fn several_characters_ride_in_three_steps_as_one_does_in_one() {
     let level = ledge();
@@ -194,4 +309,25 @@ fn what_cannot_yield_is_squashed_and_goes_on_later() {
     assert_eq!(*hero.body(), before);
     assert_eq!(go(&mut hero, 4), Outcome::Moved);
     assert!((0..20).all(|_| go(&mut hero, 0) == Outcome::Moved) && hero.on_floor());
+}
+
+/// A one-way lift presses nobody to a ceiling: it passes through the hero, who falls through it.
+#[test]
+fn a_one_way_lift_squashes_nobody() {
+    let level = TileMap::from_ascii("####\n    \n    \n    \n", &KINDS).unwrap();
+    for (speed, one_way) in [1, 2, 3, 7].into_iter().flat_map(|speed| [(speed, true), (speed, false)]) {
+        let lift = Solid::new(boxed(0, 40, 64, 8), 7).unwrap();
+        let mut lifts = [if one_way { lift.with_one_way(Side::Up) } else { lift }];
+        let mut hero = Character::new(boxed(20, 26, 10, 14), limits(), Feel::DEFAULT);
+        let (mut squashed, mut rode) = (0, 0);
+        for frame in 0..40 {
+            lifts[0].set_motion(Vec2::from_ints(0, if frame < 2 { 0 } else { -speed })).unwrap();
+            let step = hero.step_on(&level, &mut lifts, NOTHING).unwrap();
+            squashed += u32::from(step.outcome != Outcome::Moved);
+            rode += u32::from(hero.ridden() == Some(7));
+            assert!(!level.overlaps(hero.body()) && (rode > 0 || frame < 1));
+        }
+        assert!(rode > 2);
+        assert!(if one_way { squashed == 0 && hero.body().max().y > 60 } else { squashed > 0 }, "{speed} {squashed}");
+    }
 }

@@ -128,6 +128,42 @@ fn on_even_ground_it_turns_with_its_front_on_the_floor() {
     );
 }
 
+/// At any speed a patrol that looks ahead as the guide does keeps its front on the floor, on long
+/// and on short platforms, and comes near both ends.
+#[test]
+fn a_patrol_brakes_before_the_ledge() {
+    let mut random = Random::new(21);
+    for n in 0..60 {
+        let speed = if n < 4 {
+            [fx!(0.5), fx!(1.5), fx!(4), fx!(8)][n]
+        } else {
+            Fx::from_bits(random.within(1 << 14, 8 << 16) as i32)
+        };
+        let acceleration = [Feel::DEFAULT.acceleration, fx!(0.25), fx!(1)][n / 4 % 3];
+        let tiles = [2, 3, 6, 30][n % 4];
+        let text = ".".repeat(40) + "\n." + &"=".repeat(tiles) + &".".repeat(39 - tiles) + "\n";
+        let level = TileMap::from_ascii(&text, &KINDS).unwrap();
+        let end = fx!(16) + Fx::from_num(16 * tiles);
+        let mut enemy = Character::new(boxed(18, 2, 10, 14), limits(), Feel { acceleration, ..Feel::DEFAULT });
+        let (mut way, mut turns, mut ends) = (1, 0, (fx!(999), fx!(0)));
+        for _ in 0..3000 {
+            let _ = enemy.step(&level, Input { run: speed * way, ..NOTHING }).unwrap();
+            let next = ((enemy.velocity.x * way).max(fx!(0)) + acceleration).min(speed);
+            let look = next + next * next / (acceleration * 2);
+            if enemy.ledge_ahead(&level, look * way).unwrap() {
+                (way, turns) = (-way, turns + 1);
+            }
+            ends = (ends.0.min(enemy.body().min().x), ends.1.max(enemy.body().max().x));
+            assert!(enemy.on_floor() && ends.0 >= 16 && ends.1 <= end, "{speed} {acceleration} {ends:?}");
+        }
+        let near = (speed + acceleration) * 2;
+        assert!(
+            turns > 1 && ends.1 + near >= end && ends.0 <= near + fx!(16),
+            "{speed} {acceleration} {ends:?} {turns}"
+        );
+    }
+}
+
 /// A head that is `under` raw units under a corner at its left or its right: within the reach it
 /// loses no height, and beyond it is where it would be without.
 #[test]

@@ -68,9 +68,9 @@ pub struct Ridden<B> {
     pub floor: Option<u16>,
     /// The motion that this solid and its conveyor gave it in this tick.
     ///
-    /// A body that jumps off moves by its own speed in this tick: the solid's part has already been
-    /// made. Add the carry to the velocity after that move. Then the flight, seen from a solid that
-    /// keeps its motion, is that on still ground.
+    /// For a body that leaves the solid, by a jump or over the edge: in this tick the ride has
+    /// already made the solid's part, so move the body by its own speed. Then add the carry to its
+    /// velocity. Seen from a solid that keeps its motion, the flight is that on still ground.
     pub carry: Vec2,
     /// The work of the call.
     pub work: Work,
@@ -113,7 +113,9 @@ impl<S: Law> Mover<S> {
     ///   first.
     /// - **Squashed** is a body that two solids push against each other, or one against the level,
     ///   with no room left. The body stays where it is. A body that overlaps a solid before the
-    ///   tick (a door put there) and still does after it is squashed too.
+    ///   tick (a door put there) and still does after it is squashed too. A one-way solid squashes
+    ///   as well; then [`Character::ride`](crate::Character::ride) asks again with a mover that
+    ///   drops through, which lets the solid pass.
     ///
     /// **A walker's snap.** If a floor sinks by more than `follow`, the body is `Free` and does not
     /// move with it, down or sideways. Take `follow` 1, a lift that moves by (2, 2), and a walker
