@@ -93,10 +93,10 @@ fn play(levels: u64) {
         }
     }
     assert!(stayed > runs / 4, "{stayed} of {runs}");
-    // Of 84 311, four are left. Three are in the air between a corner or a pipe and a steep slope,
+    // Of some 80 000, up to four. They are in the air between a corner or a pipe and a steep slope,
     // pushed at once to many times their gravity.
     assert!(
-        stuck.len() * 10_000 < stayed,
+        stuck.len() * 20_000 < stayed,
         "{} of {stayed} heroes that stay, such as {:?}",
         stuck.len(),
         &stuck[..stuck.len().min(3)]
@@ -105,7 +105,7 @@ fn play(levels: u64) {
 
 #[test]
 fn what_stays_stands_and_has_no_way_on() {
-    play(cases(1_500));
+    play(cases(6_000));
 }
 
 #[test]

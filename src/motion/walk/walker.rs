@@ -224,29 +224,28 @@ impl Walker {
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
-        let footing = match self.go(world, &mut run, floor)? {
-            Some(footing) => footing,
-            None => {
-                moved = Moved::freely(*body, velocity, 0);
-                run = self.mover.start(world, &mut moved, &mut around)?;
-                self.mover.slide::<W, B, false>(world, &mut run, &mut First::none())?;
-                self.fly(world, &mut run)
-            }
-        };
+        let mut footing = self.go(world, &mut run, floor)?;
+        // It came to a floor that neither carries it nor lets it walk: the foot of a ramp beside
+        // it, under a ceiling. That is no landing, and gravity may still have a way.
+        let stays = run.moved.floor && run.v.is_zero() && run.moved.body.bounds() == body.bounds();
+        if stays && footing.floor.is_none() {
+            moved = Moved::freely(*body, velocity, 0);
+            run = self.mover.start(world, &mut moved, &mut around)?;
+            self.mover.slide::<W, B, false>(world, &mut run, &mut First::none())?;
+            footing = self.fly(world, &mut run);
+        }
         let Footing { floor, stepped, snapped } = footing;
         run.end::<W>();
         Ok(Walked { moved, floor, stepped, snapped })
     }
 
-    /// Makes the motion of a frame. `None` if the body comes to a floor that neither carries it nor
-    /// lets it walk: the foot of a ramp beside it, under a ceiling. That is no landing. Gravity
-    /// still has a way.
+    /// Makes the motion of a frame.
     fn go<W: World, B: Body>(
         &self,
         world: &W,
         run: &mut Run<'_, B>,
         floor: Option<Support>,
-    ) -> Result<Option<Footing>, MoveError> {
+    ) -> Result<Footing, MoveError> {
         let (passes, rises) = (self.mover.passes_one_way(), self.mover.up.is_some_and(|up| leads(run.v, up)));
         let stands = floor.filter(|f| !(rises || (passes && f.one_way))).map(|f| f.axis);
         let axis = if stands.is_none() || self.mover.up.is_none() {
@@ -257,11 +256,9 @@ impl Walker {
         };
         if let (Some(axis), Some(up)) = (axis, self.mover.up) {
             run.pass_one_way |= passes;
-            let footing = Stride::new(self, world, run, up, axis).walk()?;
-            let hangs = stands.is_none() && footing.floor.is_none() && run.v.is_zero();
-            return Ok((!hangs).then_some(footing));
+            return Stride::new(self, world, run, up, axis).walk();
         }
-        Ok(Some(self.fly(world, run)))
+        Ok(self.fly(world, run))
     }
 
     /// The end of a frame in the air. A body whose velocity does not lead up or down may stand.
