@@ -3,7 +3,10 @@
 
 use super::alive_graph::{leads, leaves_room};
 use super::walk_worlds::{Frame, step};
-use tilesat::{Axis, Fx, Mover, SlopeSpeed, Walker};
+use tilesat::{
+    Aabb, Axis, Character, Feel, Fx, Input, Mover, SlopeSpeed, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2,
+    Walker, fx,
+};
 use tilesat_judge::rooms::body::Body;
 use tilesat_judge::rooms::room::Room;
 use tilesat_judge::rooms::{P, mosaic};
@@ -112,4 +115,48 @@ fn what_stays_stands_and_has_no_way_on() {
 #[ignore = "two minutes"]
 fn what_stays_stands_and_has_no_way_on_all() {
     play(30_000);
+}
+
+static KINDS: TileKinds = TileKinds::EMPTY
+    .with(b'#', TileKind::FULL)
+    .with(b'/', TileKind::of(TileShape::SlopeBottomRight))
+    .with(b'p', TileKind::of(TileShape::SlopeTopRight))
+    .with(b'a', TileKind::of(TileShape::MildLowBottomRight))
+    .with(b'b', TileKind::of(TileShape::MildHighBottomRight));
+
+/// Where a hero of this width and 16 units of height ends that runs right, and jumps in some frames.
+fn ends(
+    rows: &str,
+    (x, width): (i16, i16),
+    feel: Feel,
+    run: Fx,
+    jump: core::ops::Range<u32>,
+) -> (Character, (f32, f32)) {
+    let level = TileMap::<Slopes>::of_ascii(rows, &KINDS).unwrap();
+    let start = Aabb::from_size(Vec2::from_ints(x, 48), Vec2::from_ints(width, 16)).unwrap();
+    let mut hero = Character::new(start, level.bounds(), feel);
+    for frame in 0..400 {
+        let _ = hero.step(&level, Input { run, jump: jump.contains(&frame), drop: false }).unwrap();
+    }
+    (hero, hero.body().min().to_f32())
+}
+
+/// The head is at the ceiling, and a foot at the end of a ramp that the ceiling bars.
+#[test]
+fn a_ramp_beside_the_feet_is_no_landing() {
+    let quick = Feel { air_acceleration: fx!(0.5), ..Feel::DEFAULT };
+    for (rows, feel) in
+        [("#####\n#.ab#\n#.###\n#.###\n#####\n", Feel::DEFAULT), ("#####\n#./##\n#.###\n#.###\n#####\n", quick)]
+    {
+        let (hero, at) = ends(rows, (22, 10), feel, fx!(1.5), 5..40);
+        assert!(at == (22.0, 48.0) && hero.on_floor(), "{at:?}");
+    }
+}
+
+/// A slope over the end of a ledge bars the way one raw unit before the end, by rounding alone.
+#[test]
+fn the_last_raw_unit_of_a_ledge_is_no_floor() {
+    let rows = "############\n#..........#\n#.....p#...#\n#......p...#\n######.....#\n#..........#\n############\n";
+    let (hero, at) = ends(rows, (20, 16), Feel::DEFAULT, fx!(3), 16..18);
+    assert!(at == (160.0, 80.0) && hero.on_floor(), "{at:?}");
 }

@@ -170,15 +170,16 @@ impl Walker {
     /// **In the air** it moves as [`Mover::move_and_slide`] until it meets a floor, where it walks
     /// for the rest of the frame. One thing differs: walls, and so steep slopes, take the velocity
     /// against them across "up". Pushing therefore does not climb them. The mover's response
-    /// applies there.
+    /// applies there. A floor that neither carries the body nor lets it walk holds nothing up: the
+    /// body falls past the foot of a ramp that a ceiling bars.
     ///
     /// The way of a frame is never longer than the velocity, except for steps, snapping, and up to
     /// 4 raw of rounding at joints. It is shorter by less than 2 raw on a slope of tiles, and by up
     /// to 10 around the joints of slopes. A circle goes around a corner by the tangents to its way.
     /// That costs up to a fifth of the frame's way once, and more if corners follow each other
     /// within a frame. Through a quarter pipe it moves by chords, and stops before the slope passes
-    /// the limit. Mirrored scenes give mirrored bits. Tiles and polygons of the same ground give
-    /// the same bits.
+    /// the limit. Mirrored scenes give mirrored bits, with the exceptions of
+    /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits.
     ///
     /// Steps lead only to level ground. A circle climbs by its lowest point, which takes several
     /// frames; an edge that it meets no steeper than the slope limit is no step. Its `floor` is
