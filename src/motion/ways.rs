@@ -102,7 +102,7 @@ impl Way {
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
         let (Some(p), Some(q)) = (self.along, other.along) else { return self.along.is_none() };
         let [n, m] = [p, q].map(|plane| Raw { x: plane.normal.x, y: plane.normal.y });
-        // Sides of a box and ends of faces often have the normal of a face. Their lengths are equal.
+        // Sides of a box and ends of faces often have a face's normal. Their lengths are equal.
         let lengths = if n == m || n == m.reversed() {
             Ordering::Equal
         } else if let Some(longer) = self.is_clearly_longer(other) {

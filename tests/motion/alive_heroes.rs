@@ -124,7 +124,7 @@ static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'a', TileKind::of(TileShape::MildLowBottomRight))
     .with(b'b', TileKind::of(TileShape::MildHighBottomRight));
 
-/// Where a hero of this width and 16 units of height ends that runs right, and jumps in some frames.
+/// Where a hero of this width, 16 units high, ends that runs right and jumps in some frames.
 fn ends(
     rows: &str,
     (x, width): (i16, i16),

@@ -172,8 +172,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             SurfaceRole::Wall if self.climb() => true,
             _ if self.squeeze() => true,
             _ => {
-                // A body that is blocked at once does not creep along by roundings, unless they take
-                // it off its floor.
+                // A body that is blocked at once does not creep along by roundings, unless they
+                // take it off its floor.
                 let lower = |ground: Ground| way(ground.drop()) > NEAR;
                 if on_chord || (way(made) <= NEAR && (made.is_zero() || !self.look_down().is_none_or(lower))) {
                     self.run.put_back(self.before);
