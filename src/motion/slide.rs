@@ -270,8 +270,8 @@ fn is_hop(plane: &Plane, u: Raw, made: Raw) -> bool {
     !is_no_hop(m, along, u, made) && hops(m, along, made)
 }
 
-/// Whether a body has moved from `m - made` to `m`, as seen from the centre, on a hop: `|m|` is rho,
-/// `along / |m|` is s.
+/// Whether a body has moved from `m - made` to `m`, as seen from the centre, on a hop: `|m|` is
+/// rho, `along / |m|` is s.
 fn hops(m: Raw, along: i64, made: Raw) -> bool {
     let (rho, was) = (isqrt64(m.len2()), isqrt64(m.sub(made).len2()));
     let s = tangential(along, Axis::new(m.x, m.y));
