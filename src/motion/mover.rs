@@ -438,7 +438,7 @@ impl<S: Law> Mover<S> {
         if chooses {
             self.go_along(world, run, made, hit);
         }
-        run.v.is_zero() || (WALKS && run.moved.floor)
+        run.v.is_zero() || (WALKS && run.moved.floor && !run.falls)
     }
 }
 

@@ -30,6 +30,8 @@ pub(super) struct Run<'m, B> {
     pub(super) along: Option<Plane>,
     /// Whether it has come farther than rounding can take it.
     pub(super) came: bool,
+    /// Whether floors do not end the motion of a walker: it came to one that does not carry it.
+    pub(super) falls: bool,
     /// Whether it flew to the first of the surfaces that it touches. It then meets the next surface
     /// with the remaining velocity.
     pub(super) flew: bool,
@@ -78,6 +80,7 @@ impl<'m, B: Body> Run<'m, B> {
             before: v,
             along: None,
             came: false,
+            falls: false,
             flew: false,
             is_first: true,
             tried: long(v),

@@ -71,7 +71,7 @@ impl<S: Law> Mover<S> {
         run.after = Toi::ZERO;
         run.motion = if W::ROUND && run.on_chord { run.made_in(run.rest) } else { d.sub(made) };
         run.on_chord = false;
-        if WALKS && side == SurfaceRole::Floor {
+        if WALKS && side == SurfaceRole::Floor && !run.falls {
             return false;
         }
         match (self.response_to(entry.normal, feature, toi), self.bounce.0) {

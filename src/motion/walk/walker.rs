@@ -5,6 +5,7 @@ use super::ground::{Look, leads};
 use super::stride::{Footing, Stride};
 use crate::error::{Quantity, RangeError};
 use crate::motion::order::First;
+use crate::motion::plane::may_be_askew;
 use crate::motion::run::Run;
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{Body, MoveError, Moved, Mover};
@@ -225,17 +226,28 @@ impl Walker {
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
-        let mut footing = self.go(world, &mut run, floor)?;
+        let Footing { floor, stepped, snapped } = self.go(world, &mut run, floor)?;
         // It came to a floor that neither carries it nor lets it walk: the foot of a ramp beside
-        // it, under a ceiling. That is no landing, and gravity may still have a way.
-        let stays = run.moved.floor && run.v.is_zero() && run.moved.body.bounds() == body.bounds();
-        if stays && footing.floor.is_none() {
-            moved = Moved::freely(*body, velocity, 0);
-            run = self.mover.start(world, &mut moved, &mut around)?;
-            self.mover.slide::<W, B, false>(world, &mut run, &mut First::none())?;
-            footing = self.fly(world, &mut run);
+        // it, under a ceiling. That is no landing, and gravity may still have a way. A box stands
+        // on every level floor that it meets.
+        let stays = floor.is_none() && run.moved.floor && run.v.is_zero();
+        if may_be_askew::<B, W>() && stays && run.moved.body.bounds() == body.bounds() {
+            return self.fall(world, body, velocity);
         }
-        let Footing { floor, stepped, snapped } = footing;
+        run.end::<W>();
+        Ok(Walked { moved, floor, stepped, snapped })
+    }
+
+    /// A frame in which floors do not end the fall.
+    #[cold]
+    #[inline(never)]
+    fn fall<W: World, B: Body>(&self, world: &W, body: &B, velocity: Vec2) -> Result<Walked<B>, MoveError> {
+        let mut moved = Moved::freely(*body, velocity, 0);
+        let mut around = Around::nothing();
+        let mut run = self.mover.start(world, &mut moved, &mut around)?;
+        run.falls = true;
+        self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
+        let Footing { floor, stepped, snapped } = self.fly(world, &mut run);
         run.end::<W>();
         Ok(Walked { moved, floor, stepped, snapped })
     }
