@@ -177,7 +177,7 @@ fn one_frame_drops_through_a_lift_that_changes_its_motion() {
             for frame in 0..30 {
                 let (on_floor, below) = go(frame, frame == 0);
                 assert!(!on_floor, "{before} {rate} {change} {frame} {below}");
-                if below > 6 || below < 0 {
+                if !(0..=6).contains(&below) {
                     break;
                 }
             }
