@@ -88,56 +88,44 @@ struct Hero<B> {
     wall_age: u8,
 }
 
+/// The fields that a character and its form have in common, copied from one to the other.
+macro_rules! fields {
+    ($to:ident of $from:expr $(, version: $version:expr)?) => {
+        $to {
+            $(version: $version,)?
+            velocity: $from.velocity,
+            feel: $from.feel,
+            body: $from.body,
+            limits: $from.limits,
+            floor: $from.floor,
+            base: $from.base,
+            through: $from.through,
+            left: $from.left,
+            held: $from.held,
+            jumps: $from.jumps,
+            wish: $from.wish,
+            away: $from.away,
+            wall: $from.wall,
+            wall_age: $from.wall_age,
+        }
+    };
+}
+
 impl<B: Copy> Form<Character<B>> for Hero<B> {
     type Fault = &'static str;
 
     fn of(hero: &Character<B>) -> Self {
-        let Character { velocity, feel, body, limits, floor, base, through, left, held, jumps, wish, .. } = *hero;
-        let Character { away, wall, wall_age, .. } = *hero;
-        Self {
-            version: Version,
-            velocity,
-            feel,
-            body,
-            limits,
-            floor,
-            base,
-            through,
-            left,
-            held,
-            jumps,
-            wish,
-            away,
-            wall,
-            wall_age,
-        }
+        fields!(Self of hero, version: Version)
     }
 
     fn check(self) -> Result<Character<B>, Self::Fault> {
-        let Self { velocity, feel, body, limits, floor, base, through, left, held, jumps, wish, .. } = self;
-        let Self { away, wall, wall_age, .. } = self;
-        if !(-1..=1).contains(&wall) {
+        if !(-1..=1).contains(&self.wall) {
             return Err("the side of its last wall is -1, 0 or 1");
         }
-        if floor.is_some_and(|floor| floor.axis.is_zero()) {
+        if self.floor.is_some_and(|floor| floor.axis.is_zero()) {
             return Err("its floor has no normal");
         }
-        Ok(Character {
-            velocity,
-            feel,
-            body,
-            limits,
-            floor,
-            base,
-            through,
-            left,
-            held,
-            jumps,
-            wish,
-            away,
-            wall,
-            wall_age,
-        })
+        Ok(fields!(Character of self))
     }
 }
 
