@@ -115,7 +115,7 @@ fn boxes_are_boxes() {
 /// body.
 #[test]
 fn no_arm_passes_a_body() {
-    fn turn<B: Rider>(make: impl Fn(&mut Random) -> B, seed: u64) {
+    fn turn<B: Rider>(make: impl Fn(&mut Random) -> B, seed: u64, least: u32) {
         let (mut random, mut beside, mut pushed, mut squashed) = (Random::new(seed), 0, 0, 0);
         let (mut clear, mut moved) = (0, 0);
         let tiles = vec![0; (SIDE * SIDE) as usize];
@@ -171,7 +171,7 @@ fn no_arm_passes_a_body() {
             }
         }
         println!("{beside} beside, {pushed} pushed, {squashed} squashed; {clear} clear, of these {moved} pushed");
-        assert!(beside > 1000 && pushed > 400 && squashed == 0);
+        assert!(beside > 1000 && pushed > least && squashed == 0);
         assert!(moved * 100 < clear);
     }
     let at = |random: &mut Random| (random.around(3 * CELL), random.around(3 * CELL));
@@ -181,8 +181,9 @@ fn no_arm_passes_a_body() {
             rect(c, (c.0 + random.within(1, CELL / 2), c.1 + random.within(1, CELL / 2)))
         },
         285,
+        1000,
     );
-    turn(|random| disc(at(random), random.within(1, CELL / 4)), 286);
+    turn(|random| disc(at(random), random.within(1, CELL / 4)), 286, 1000);
     turn(
         |random| {
             let (c, long) = (at(random), random.within(1, CELL / 2));
@@ -191,6 +192,7 @@ fn no_arm_passes_a_body() {
             Capsule::new(vec2(c), vec2((c.0 + x, c.1 + y)), radius).unwrap()
         },
         287,
+        1000,
     );
-    turn(polygons, 288);
+    turn(polygons, 288, 400);
 }
