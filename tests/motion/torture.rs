@@ -273,8 +273,8 @@ fn cross_drops_through_a_one_way() {
     assert_eq!(out.v, at(1, 0));
 }
 
-/// On a flat floor with gravity and without friction. `motion_scenes` has a million frames and
-/// other positions.
+/// On a flat floor with gravity and without friction. `scenes` has other positions and runs without
+/// a judge.
 #[test]
 fn scene_49_resting_ten_thousand_ticks() {
     let level = Level::new(&["......", "######"], px(16));
