@@ -64,7 +64,14 @@ mod order;
 mod phase;
 mod plain;
 #[cfg(feature = "serde")]
-mod stored;
+mod stored {
+    //! Slots, free slots and orders that have to agree.
+
+    mod cells;
+    mod lists;
+    mod plain;
+    mod slots;
+}
 mod table;
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,7 @@
 use super::feel::{Feel, Input, Outcome, Step};
 use super::{Body, MoveError, Mover, Support, Walked, Walker};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, Fx, Vec2};
+use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
 use crate::world::{Solids, World};
 
@@ -113,6 +113,45 @@ impl<B: Body> Character<B> {
     /// the solid, the next step returns [`Outcome::Stuck`].
     pub fn place(&mut self, body: B) {
         *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
+    }
+
+    /// Takes the character into another [`Room`](crate::world::Room): its position changes by `by`,
+    /// and its limits become those of the room. Velocity, floor and timers go on.
+    ///
+    /// Call it between two steps, with what [`Rooms::next`](crate::world::Rooms::next) or
+    /// [`Room::next_of`](crate::world::Room::next_of) returns. Checks nothing in the level: both
+    /// rooms hold the tiles around their border.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Blocks, Character, Feel, Fx, Input, Room, Rooms, TileKind, TileKinds, Vec2, fx};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
+    /// let mut tiles = [0; 120];
+    /// tiles[80..].fill(1); // 40 columns with a floor, in rooms of 20
+    /// const APRON: u16 = Room::<Blocks>::apron_for(fx!(16), fx!(16), fx!(8));
+    /// let world = Rooms::<Blocks>::of(&tiles, (40, 3), fx!(16), &KINDS, (20, 3), APRON)?;
+    /// let mut room = world.room(0, 0).unwrap();
+    ///
+    /// let body = Aabb::new(Vec2::from_ints(290, 16), Vec2::from_ints(300, 32))?;
+    /// let mut hero = Character::new(body, room.map().bounds(), Feel::DEFAULT);
+    /// for _ in 0..30 {
+    ///     let _ = hero.step(room.map(), Input { run: fx!(2), ..Input::default() })?;
+    ///     if let Some((next, by)) = world.next(&room, hero.body().min()) {
+    ///         hero.translate(by, next.map().bounds())?;
+    ///         room = next;
+    ///     }
+    /// }
+    /// assert_eq!((room.first(), hero.velocity.x), ((20, 0), fx!(2)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] if the body would leave the [domain](crate::num::DOMAIN). The character is
+    /// then unchanged.
+    pub fn translate(&mut self, by: Vec2, limits: Aabb) -> Result<(), RangeError> {
+        self.body.bounds().translated(by)?;
+        self.body = self.body.shifted(Raw::of(by));
+        self.limits = limits;
+        Ok(())
     }
 
     /// Changes the body where it stands, and keeps everything else: to crouch, to grow, to nudge

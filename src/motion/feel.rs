@@ -141,7 +141,7 @@ pub struct Step {
     pub jumped: bool,
     /// Whether it landed on a floor.
     pub landed: bool,
-    /// Whether a wall blocks it.
+    /// Whether a wall blocks it, or a ceiling that comes down to its floor.
     #[doc(alias = "is_on_wall")]
     pub wall: bool,
     /// Whether its head hit a ceiling.

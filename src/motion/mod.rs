@@ -175,6 +175,7 @@ mod walk {
 
     mod assist;
     mod ground;
+    mod step;
     mod stride;
     mod walker;
 

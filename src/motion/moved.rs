@@ -26,7 +26,7 @@ pub struct Moved<B> {
     /// ran into count. A body without velocity reports no floor: add gravity in every frame, on the
     /// ground too.
     pub floor: bool,
-    /// Whether a hit was neither floor nor ceiling.
+    /// Whether a hit was neither floor nor ceiling, or a ceiling ended a walk.
     pub wall: bool,
     /// Whether a hit faced "down" within the same limit.
     pub ceiling: bool,

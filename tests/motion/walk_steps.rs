@@ -24,6 +24,10 @@ fn ledge(rise: i64, left: bool) -> Ground {
 /// Frames at one speed from a stand on the ground.
 fn play<W: World>(world: &W, shape: Shape, walker: &Walker, from: P, v: P, frames: u32) -> Vec<Frame> {
     let mut last = shape.step(walker, world, (from.0, from.1 - shape.half() - PX), (0, 2 * PX), None).unwrap();
+    // A wide body that starts over a slope meets it later.
+    for _ in 0..8 {
+        last = shape.step(walker, world, last.at, (0, 2 * PX), last.floor).unwrap();
+    }
     assert!(last.floor.is_some(), "{last:?}");
     (0..frames)
         .map(|_| {
@@ -98,6 +102,59 @@ fn ledges_to_the_raw_unit() {
                 });
             }
         }
+    }
+}
+
+/// Slopes on both sides of a step, rising, falling or level, from a seam of one raw unit on. More
+/// than the walker's height is a wall: by one raw unit, or by the rounding of a rest on a slope.
+#[test]
+fn steps_between_slopes() {
+    let step = 4 * PX;
+    let grades = [(0, 1), (1, 4), (1, 3), (1, 1), (-1, 4), (-1, 2), (-1, 1)];
+    for (before, after) in grades.iter().flat_map(|b| grades.iter().map(move |a| (*b, *a))) {
+        let more = if before.0 == 0 { 1 } else { 8 };
+        for rise in [1, 216, PX / 2, PX, 3 * PX, step - 1, step, step + more] {
+            let down = |(num, den): (i64, i64), x: i64| -x * num / den;
+            let points =
+                [(-6 * CELL, down(before, -6 * CELL)), (0, 0), (0, -rise), (6 * CELL, down(after, 6 * CELL) - rise)];
+            let start = (-5 * CELL, down(before, -5 * CELL) - 10 * PX);
+            Ground::corners(&points).with_polygon(|map| {
+                for shape in [BOX, DISC, Shape::Disc(2 * PX)] {
+                    // For a circle the rise of the slopes over its radius counts too. On its way
+                    // down to the step, a box stands on its other corner.
+                    // On a slope at the limit it meets the seam as a wall.
+                    let most = if before == (1, 1) { 0 } else { PX / 2 };
+                    if (shape != BOX && rise > most) || (rise > step && before.0 < 0) {
+                        continue;
+                    }
+                    for speed in [PX / 2, 3 * PX / 2, 3 * PX] {
+                        let walker = walker(6 * PX, step);
+                        let seen = play(map, shape, &walker, start, (speed, PX / 4), (32 * CELL / speed) as u32);
+                        let end = seen.iter().find(|f| f.at.0 > 4 * CELL).unwrap_or(&seen[seen.len() - 1]);
+                        let tell = || format!("{shape:?}, {before:?} then {rise} then {after:?}, by {speed}: {end:?}");
+                        assert_eq!(end.at.0 > 4 * CELL, rise <= step, "{}", tell());
+                        // A circle may leave an edge by its tangent, and land on another.
+                        let mut run = seen.iter().take_while(|f| f.at.0 < 4 * CELL && shape == BOX);
+                        assert!(rise > step || run.all(|f| !f.hit_wall && f.floor.is_some()), "{}", tell());
+                    }
+                }
+            });
+        }
+    }
+}
+
+/// No step leads to ground that is steeper than the slope limit.
+#[test]
+fn no_step_onto_a_wall() {
+    for (rise, steep) in [(1, (5, 4)), (PX, (5, 4)), (3 * PX, (2, 1)), (PX / 2, (8, 1))] {
+        let top = (2 * CELL, -rise - 2 * CELL * steep.0 / steep.1);
+        Ground::corners(&[(-6 * CELL, 0), (0, 0), (0, -rise), top, (8 * CELL, top.1)]).with_polygon(|map| {
+            for (shape, speed) in [BOX, Shape::Disc(2 * PX)].into_iter().flat_map(|s| [(s, PX / 2), (s, 3 * PX)]) {
+                let seen = play(map, shape, &walker(6 * PX, 4 * PX), (-5 * CELL, 0), (speed, PX / 4), 400);
+                let end = seen[seen.len() - 1];
+                assert!(end.at.0 < 0 && end.hit_wall, "{shape:?}, {rise}, {steep:?}, by {speed}: {end:?}");
+            }
+        });
     }
 }
 

@@ -1,20 +1,18 @@
 //! One frame on the ground: legs along the floor, turned where it bends, and steps.
 
 use super::Support;
-use super::ground::{CONTACT, Ground, Look, along, within};
+use super::ground::{CONTACT, Ground, Look, along};
 use super::walker::{SlopeSpeed, Walker, length};
-use crate::motion::body::{Body, kernel::Kernel};
+use crate::motion::body::Body;
 use crate::motion::plane::{
-    NEAR, Pipe, SurfaceRole, across, into, lies_along, may_be_askew, project, tangent, tangential, way,
+    NEAR, Pipe, SurfaceRole, across, lies_along, may_be_askew, project, tangent, tangential, way,
 };
 use crate::motion::response::Smooth;
 use crate::motion::run::{Checkpoint, Run, check_inside};
-use crate::motion::search::hull;
 use crate::motion::ways::{Way, Ways};
 use crate::motion::{MoveError, Mover};
 use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};
 use crate::query::cast::moment::ratio;
-use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World};
 
 pub(super) struct Stride<'a, 'm, W, B> {
@@ -178,6 +176,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 if on_chord || (way(made) <= NEAR && (made.is_zero() || !self.look_down().is_none_or(lower))) {
                     self.run.put_back(self.before);
                 }
+                // A ceiling that ends the run is a wall to it.
+                self.run.moved.wall = true;
                 self.speed = 0;
                 false
             }
@@ -318,126 +318,5 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             }
         }
         Footing { floor: support, stepped: self.stepped, snapped }
-    }
-}
-
-/// Steps: up, forward, down.
-impl<W: World, B: Body> Stride<'_, '_, W, B> {
-    /// Climbs the step in front, if there is one: up by its height, forward by the rest of the leg,
-    /// down to level ground. Otherwise the body stays where it is.
-    #[inline(never)]
-    pub(super) fn climb(&mut self) -> bool {
-        let forward = self.forward(self.run.rest.of_raw(self.speed as i32) as u32);
-        if self.walker.step == 0 || forward.is_zero() {
-            return false;
-        }
-        let start = self.run.here();
-        let (room, _) = self.shift(along(self.up, self.walker.step));
-        self.run.put_back(start);
-        let least = self.least(room, forward);
-        // A step thinner than a leg is passed over its top.
-        let climbed = [least, room].into_iter().any(|raised| {
-            let climbed = self.climb_by(raised, room, forward);
-            if !climbed {
-                self.run.put_back(start);
-            }
-            climbed
-        });
-        // The body is now over the step, which no longer blocks. The rest of the frame meets what
-        // still does.
-        self.run.moved.wall &= !climbed;
-        climbed
-    }
-
-    /// How far the body must rise from its position for the ground ahead, found from `room` above
-    /// it.
-    ///
-    /// ```text
-    ///   ________            Obstacles at that height do not count:
-    ///   lintel  |           only ground that carries the body from below does.
-    ///   --------'  o room
-    ///    h _____   ^
-    ///     |sill    o
-    /// ```
-    fn least(&mut self, room: Raw, forward: Raw) -> Raw {
-        let down = along(self.up, -CONTACT).sub(room);
-        self.run.look_from(self.world, room.add(forward), down).map_or(Raw::ZERO, |ground| room.add(ground.drop()))
-    }
-
-    fn climb_by(&mut self, height: Raw, room: Raw, forward: Raw) -> bool {
-        let raised = self.run.commit(self.world, height, &[height]);
-        if into(raised, self.up) <= 0 {
-            return false;
-        }
-        let bounds = self.run.moved.body.bounds();
-        let (made, rest) = self.shift(forward);
-        if made.is_zero() || (B::MEETS_CORNERS && self.passes_one_way(&bounds, made)) {
-            return false;
-        }
-        // Down to where it came from, and a little farther: a floor of that height is only touched.
-        let down = along(self.up, -CONTACT).sub(raised);
-        let Some(ground) = self.run.look(self.world, down) else { return false };
-        // The edge is no floor, however flatly the body meets it: the step's height counts.
-        let corner = ground.entry.step.is_some();
-        let floor = if corner { self.beyond(&ground, room.sub(raised)) } else { self.level(&ground) };
-        let Some(floor) = floor else { return false };
-        let fall = self.run.advance(self.world, down, &ground.entry);
-        (self.floor, self.climbed) = (floor.axis, Some(floor));
-        self.run.rest = rest;
-        self.stepped += length(raised.add(fall));
-        true
-    }
-
-    /// Whether the box around a raised circle meets a one-way face in front of it. The free end of
-    /// such a face does not hold a circle. But if it is higher than the circle's lowest point, it
-    /// is higher than the step.
-    fn passes_one_way(&mut self, bounds: &Aabb, d: Raw) -> bool {
-        let mut features = self.world.features(&hull(bounds, Raw::ZERO, d, 1));
-        while let Some(feature) = &features.next() {
-            self.run.moved.work.features += 1;
-            if feature.one_way && !self.run.pass_one_way && bounds.sweep_in::<W>(d, feature).is_some() {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// The floor that carries the body on this ground.
-    ///
-    /// A circle comes down to the edge of a step before it is over the step, or while it is still
-    /// beyond. It is then on its way. It stands if the same way down, started one radius farther
-    /// on, ends on level floor.
-    pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
-        self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
-    }
-
-    fn beyond(&mut self, ground: &Ground, raised: Raw) -> Option<Support> {
-        if !B::MEETS_CORNERS || ground.entry.step.is_none() {
-            return None;
-        }
-        let forward = self.forward(self.run.moved.body.rounding() as u32);
-        if forward.is_zero() {
-            return None;
-        }
-        let beyond = self.run.look_from(self.world, raised.add(forward), ground.d.sub(raised))?;
-        self.level(&beyond)
-    }
-
-    /// The ground as a support, if it is level.
-    fn level(&self, ground: &Ground) -> Option<Support> {
-        self.walker.mover.support(ground).filter(|floor| floor.axis.perp_dot(self.up) == 0)
-    }
-
-    /// Moves as far as the way is free and in the domain. Returns the motion, and the time left.
-    fn shift(&mut self, d: Raw) -> (Raw, Toi) {
-        // A way counts as free only if it has been looked at.
-        let d = within(&self.run.moved.body.bounds(), d);
-        match self.run.look(self.world, d) {
-            Some(Ground { entry, .. }) => {
-                let left = mul_div(self.run.rest.raw(), entry.den - entry.num, entry.den);
-                (self.run.advance(self.world, d, &entry), Toi::clamped(left))
-            }
-            None => (self.run.commit(self.world, d, &[d]), Toi::ZERO),
-        }
     }
 }
