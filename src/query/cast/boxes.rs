@@ -1,7 +1,7 @@
 //! A moving box, or a circle, against a box: with a circle its corners are round.
 
 use super::kernel::{Course, Moment};
-use super::moment::{Disc, enters, meet_disc};
+use super::moment::{Disc, corner_contact, enters, meet_disc};
 use crate::num::{Axis, Raw, Toi, fraction, imul, umul};
 use crate::shape::{Aabb, Circle};
 
@@ -162,6 +162,15 @@ impl BoxGate {
         match self {
             Self::Side(side) => Some(Rounded::Side(side)),
             Self::Corner(corner) => meet_disc(circle.c().sub(corner), circle.r(), d).map(Rounded::Corner),
+        }
+    }
+
+    /// When and where it meets that, as [`Moment::contact`].
+    #[inline]
+    pub(super) fn contact(self, circle: &Circle, d: Raw) -> Option<(Toi, Raw, Axis)> {
+        match self {
+            Self::Side(side) => Some(side.contact(d)),
+            Self::Corner(corner) => corner_contact(circle.c().sub(corner), circle.r(), d),
         }
     }
 

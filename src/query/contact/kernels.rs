@@ -4,7 +4,7 @@ use super::{Contact, Contacts, parallel_to_unit};
 use crate::num::{Axis, LONG, Raw, less128, mul64, sqr64, usqr};
 use crate::query::closest::Square;
 use crate::query::meet;
-use crate::query::meet::{Double, Region, circle_circle, clamp, corners, cross_range, gap, region};
+use crate::query::meet::{Offset, Region, circle_circle, clamp, corners, cross_range, gap, region};
 use crate::shape::{Aabb, Circle, Segment};
 
 impl Contacts<Aabb> for Aabb {
@@ -147,7 +147,7 @@ fn circle_segment(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact
 /// from the first end, which takes the fewest registers.
 #[inline(always)]
 fn by_region(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact> {
-    let (e, m) = (Double::between(a, b), Double::between(a, c));
+    let (e, m) = (Offset::between(a, b), Offset::between(a, c));
     let (dot, len2) = (e.dot(m), e.dot(e));
     let contact = if dot > 0 && dot < len2 {
         let cross = e.cross(m);
@@ -223,12 +223,6 @@ impl Contacts<Segment> for Segment {
 /// The ends in lexicographic order: reversing a segment changes nothing.
 const fn ordered(a: Raw, b: Raw) -> (Raw, Raw) {
     if b.x < a.x || (b.x == a.x && b.y < a.y) { (b, a) } else { (a, b) }
-}
-
-/// The edge from the smaller to the larger end.
-pub(super) const fn ordered_edge(a: Raw, b: Raw) -> Raw {
-    let (a, b) = ordered(a, b);
-    b.sub(a)
 }
 
 /// A is the box.
