@@ -38,6 +38,7 @@ impl InverseRoot {
         // Below 2^62, so `half` is not zero.
         let root = self.half_below(n << (2 * self.half)) >> (self.half.wrapping_sub(1) & 63);
         let mut next = root.wrapping_add(1);
+        // Most often so. The compiler would enter a loop alone by four more instructions.
         if next.wrapping_mul(next) > n {
             return root as u32;
         }
@@ -70,6 +71,7 @@ impl InverseRoot {
             let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
             (product >> (31 - self.half)) as u32
         };
+        // As above.
         if !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
             q = q.wrapping_add(1);
             while !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {

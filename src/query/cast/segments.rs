@@ -1,14 +1,13 @@
 //! A moving box, segment or circle against a segment: with a circle, a capsule that its centre
 //! comes into.
 
-use super::boxes::{self, Rounded, enter_box, grown};
+use super::boxes::{self, Rounded};
 use super::kernel::{Course, Moment};
 use super::moment::direction;
 use super::moment::{Pass, corner_contact, gap_time, is_below, last_before, pass, passes_in_time};
 use crate::num::{Axis, LONG, Raw, Toi, add128, less128, mul_div_wide, mul64, sqr64, square_times, umul, usqr};
-use crate::query::Overlaps;
 use crate::query::meet::{Offset, circle_circle, corners, cross_range};
-use crate::shape::{Aabb, Circle, Segment};
+use crate::shape::{Circle, Segment};
 use core::cmp::Ordering;
 
 /// A straight side of any direction, met after `gap / speed` of the motion: `gap <= speed`, both
@@ -237,7 +236,7 @@ pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> 
 pub(super) fn contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw, Axis)> {
     match facing(circle, s, d) {
         Facing::Away => Course::Free,
-        Facing::Straight => straight_contact(circle, s, d),
+        Facing::Straight => boxes::straight_contact(circle, s, d),
         Facing::Slanted(slanted) => slanted.part(d).then(|part| match part {
             Part::Slope { into } => Some(slanted.slope(into).contact(d)),
             Part::End(end) => corner_contact(circle.c().sub(end), circle.r(), d),
@@ -262,34 +261,18 @@ fn facing(circle: &Circle, s: &Segment, d: Raw) -> Facing {
     } else if a.x == b.x || a.y == b.y {
         Facing::Straight
     // Where products are cheap, the strip turns away as much for less.
-    } else if !LONG && !comes_near(circle, a, b, d) {
+    } else if !LONG && !boxes::comes_near(circle, a, b, d) {
         Facing::Away
     } else {
         Facing::Slanted(Slanted::new(circle, a, b))
     }
 }
 
-/// A segment along x or y is a box of no width. A call on 64-bit processors: it would take the
-/// registers of the slanted ones.
+/// A call on 64-bit processors: it would take the registers of the slanted ones.
 #[cfg_attr(target_pointer_width = "64", inline(never))]
 #[cfg_attr(not(target_pointer_width = "64"), inline)]
 fn straight_gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> {
-    straight(circle, s, d).map(CapsuleGate::Rounded)
-}
-
-#[cfg_attr(target_pointer_width = "64", inline(never))]
-#[cfg_attr(not(target_pointer_width = "64"), inline)]
-fn straight_contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw, Axis)> {
-    straight(circle, s, d).then(|gate| gate.contact(circle, d))
-}
-
-#[inline(always)]
-fn straight(circle: &Circle, s: &Segment, d: Raw) -> Course<boxes::BoxGate> {
-    if circle.overlaps(s) {
-        return Course::Inside;
-    }
-    let (lo, hi) = corners(s.ra(), s.rb());
-    Course::of(boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d))
+    boxes::straight(circle, s, d).map(CapsuleGate::Rounded)
 }
 
 /// A slanted segment as the centre of a circle sees it.
@@ -340,8 +323,7 @@ impl Slanted {
         let Self { c, r, a, b, e, m, cross, u, len2, reach } = *self;
         let gap = cross.unsigned_abs();
         if is_below(gap, reach) {
-            // In the strip: over the segment itself, or where the disc around the nearer end
-            // decides.
+            // In the strip: over the segment, or the disc around the nearer end decides.
             let end = if u <= 0 {
                 a
             } else if u as u64 >= len2 {
@@ -359,8 +341,7 @@ impl Slanted {
             return Course::Free;
         }
         let du = e.dot(d);
-        // As seen from an end along the segment; `turned` where the outer side is on the right
-        // then.
+        // As seen from an end; `turned` where the outer side is on the right then.
         let meets = |u: i64, du: i64, from: Offset, turned: bool| {
             let cross = || {
                 let cross = from.cross(d);
@@ -387,15 +368,6 @@ impl Slanted {
         let axis = if self.is_left() { axis.reversed() } else { axis };
         Slope { gap: self.cross.unsigned_abs(), into, reach: self.reach, axis }
     }
-}
-
-/// Whether the motion comes into the capsule's bounding box, which most misses do not, or starts
-/// there.
-#[inline(never)]
-fn comes_near(circle: &Circle, a: Raw, b: Raw, d: Raw) -> bool {
-    let (lo, hi) = corners(a, b);
-    let (c, (far_lo, far_hi)) = (circle.c(), grown(lo, hi, circle.r()));
-    !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
 }
 
 impl Slope {
