@@ -196,7 +196,7 @@ fn on_segment(c: Raw, e: Raw, prefer: i32) -> Contact {
 fn across(e: Raw, prefer: i32) -> Axis {
     let turned = e.x < 0 || (e.x == 0 && e.y < 0);
     let normal = parallel_to_unit(Raw { x: e.y.wrapping_neg(), y: e.x });
-    if turned != (prefer < 0) { normal.reversed() } else { normal }
+    if turned == (prefer < 0) { normal } else { normal.reversed() }
 }
 
 impl Contacts<Segment> for Aabb {
