@@ -198,7 +198,12 @@ impl UnitVec2 {
         Self::from_raw(axis.x.wrapping_mul(1 << 30), axis.y.wrapping_mul(1 << 30))
     }
 
-    /// From its components in one word, x in the low half.
+    /// Its components in one word, x in the low half.
+    pub(crate) const fn packed(self) -> u64 {
+        self.x.to_bits() as u32 as u64 | (self.y.to_bits() as u32 as u64) << 32
+    }
+
+    /// From its components in one word.
     #[inline(always)]
     pub(crate) const fn unpacked(both: u64) -> Self {
         Self::from_raw(both as i32, (both >> 32) as i32)
@@ -297,24 +302,23 @@ pub(super) const fn unit_nearest(axis: Axis) -> UnitVec2 {
     UnitVec2::from_raw(if axis.x < 0 { -x } else { x }, if axis.y < 0 { -y } else { y })
 }
 
-/// [`unit_nearest`] by the reciprocal of the axis' length, [packed](UnitVec2::unpacked); for
-/// components below 2^30, neither of them zero.
+/// [`unit_nearest`] by the reciprocal of the axis' length; for components below 2^30, neither of
+/// them zero.
 ///
 /// [`normalise`] shifts the components, squares them, and rounds off 32 or 33 bits of the products.
 /// Here they are shifted by one more in the first case, less one in both, and 32 bits are rounded
 /// off. A component is at most the length: the products are at most 2^62 and a rounding error. Of
 /// one below zero, halves are rounded the other way.
+/// Of 2^30 alone [`rsqrt`] is one less than this reciprocal: by a quarter of the last place.
 #[inline(always)]
-pub(crate) const fn unit_by(axis: Axis, inverse: InverseRoot) -> u64 {
+pub(crate) const fn unit_by(axis: Axis, inverse: InverseRoot) -> UnitVec2 {
     let factor = (inverse.y as i64) << (inverse.half.wrapping_sub(1) & 63);
-    (nearest_by(axis.x, factor) >> 32) | ((nearest_by(axis.y, factor) >> 32) << 32)
+    UnitVec2::from_raw(nearest_by(axis.x as i64, factor), nearest_by(axis.y as i64, factor))
 }
 
-/// The high word is the component.
 #[inline(always)]
-const fn nearest_by(component: i32, factor: i64) -> u64 {
-    let product = (component as i64).wrapping_mul(factor);
-    product.wrapping_add((1 << 31) + (component >> 31) as i64) as u64
+const fn nearest_by(component: i64, factor: i64) -> i32 {
+    (component.wrapping_mul(factor).wrapping_add((1 << 31) + (component >> 63)) >> 32) as i32
 }
 
 /// The magnitudes of the unit vector in Q30, never below the exact ones and at most 3 units above.

@@ -1,6 +1,6 @@
 //! The reciprocal of a root, and quotients by a root.
 
-use super::quotient::{leading_zeros64, rsqrt};
+use super::quotient::{leading_zeros64, rsqrt, rsqrt_wide};
 use super::wide::{LONG, less128, mul64, sqr64, umul, usqr};
 
 /// The reciprocal of a root, for whatever is computed from one: `1 / sqrt(n)` is `2^half y / 2^63`.
@@ -10,7 +10,7 @@ use super::wide::{LONG, less128, mul64, sqr64, umul, usqr};
 /// above the one at h': `y - 4` never exceeds the exact factor, and is at most 8 below it.
 #[derive(Clone, Copy)]
 pub(crate) struct InverseRoot {
-    pub(super) y: u32,
+    pub(super) y: u64,
     pub(super) half: u32,
 }
 
@@ -20,7 +20,14 @@ impl InverseRoot {
     pub(crate) const fn of(n: u64) -> Self {
         // Nothing is wrong with zero but its shift.
         let half = leading_zeros64(n | 1) >> 1;
-        Self { y: rsqrt((n << (2 * half) >> 32) as u32), half }
+        let top = (n << (2 * half) >> 32) as u32;
+        Self { y: if LONG { rsqrt_wide(top) } else { rsqrt(top) as u64 }, half }
+    }
+
+    /// The same as a call, where the compiler would repeat parts of it.
+    #[inline(never)]
+    pub(crate) const fn called(n: u64) -> Self {
+        Self::of(n)
     }
 
     /// [`isqrt64`] of the same number, if it is below 2^62.
@@ -29,7 +36,12 @@ impl InverseRoot {
     #[inline(always)]
     pub(crate) const fn root(self, n: u64) -> u32 {
         // Below 2^62, so `half` is not zero.
-        let mut next = (self.half_below(n << (2 * self.half)) >> (self.half.wrapping_sub(1) & 63)).wrapping_add(1);
+        let root = self.half_below(n << (2 * self.half)) >> (self.half.wrapping_sub(1) & 63);
+        let mut next = root.wrapping_add(1);
+        // Most often so. The compiler would enter a loop alone by four more instructions.
+        if next.wrapping_mul(next) > n {
+            return root as u32;
+        }
         while next.wrapping_mul(next) <= n {
             next = next.wrapping_add(1);
         }
@@ -39,7 +51,7 @@ impl InverseRoot {
     /// Half of a lower bound of `a / (2^half sqrt(n))`.
     #[inline(always)]
     const fn half_below(self, a: u64) -> u64 {
-        ((a as u128 * (self.y as u64).wrapping_sub(4) as u128) >> 64) as u64
+        ((a as u128 * self.y.wrapping_sub(4) as u128) >> 64) as u64
     }
 
     /// [`div_sqrt`] of the same number, for quotients below 2^31.
@@ -55,12 +67,16 @@ impl InverseRoot {
             // The quotient is below 2^31, so one bit more of the product has room above.
             self.half_below(s << self.half << 1) as u32
         } else {
-            let y = self.y.wrapping_sub(4);
+            let y = (self.y as u32).wrapping_sub(4);
             let product = umul((s >> 32) as u32, y).wrapping_add(umul(s as u32, y) >> 32);
             (product >> (31 - self.half)) as u32
         };
-        while !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
+        // As above.
+        if !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
             q = q.wrapping_add(1);
+            while !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
+                q = q.wrapping_add(1);
+            }
         }
         q
     }

@@ -2,18 +2,18 @@
 
 use super::wide::{LONG, mul64, umul};
 
-/// `round(256 / sqrt((i + 32.5) / 128)) - 256` for i in 0..96, at most 255. It is padded to a power
-/// of two, and a mask bounds the index.
+/// `round(256 / sqrt((i + 0.5) / 128)) - 256` for i in 32..128, at most 255. Nothing asks for the
+/// first quarter, with which the top seven bits of a word are the index.
 const RSQRT_TABLE: [u8; 128] = rsqrt_table();
 
-/// Twice the nearest integer decision of `256 / sqrt(u)`, `u = (2i + 65) / 256`: the largest t with
+/// Twice the nearest integer decision of `256 / sqrt(u)`, `u = (2i + 1) / 256`: the largest t with
 /// (2t - 1)^2 u <= 512^2.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop; runs in the compiler")]
 const fn rsqrt_table() -> [u8; 128] {
     let mut table = [0u8; 128];
-    let mut i = 0;
-    while i < 96 {
-        let u = 2 * i as u64 + 65;
+    let mut i = 32;
+    while i < 128 {
+        let u = 2 * i as u64 + 1;
         let mut t = 256u64;
         while t < 511 && (2 * t + 1) * (2 * t + 1) * u <= 512 * 512 * 256 {
             t += 1;
@@ -27,9 +27,9 @@ const fn rsqrt_table() -> [u8; 128] {
 /// `2^15 / sqrt(h / 2^32)` for h in `[2^30, 2^32)`, relative error below 2^-12.9; other inputs give
 /// some number.
 #[inline]
-#[expect(clippy::indexing_slicing, reason = "the index is masked to the table's length")]
+#[expect(clippy::indexing_slicing, reason = "the index has seven bits")]
 const fn rsqrt_seed(h: u32) -> u32 {
-    let t = RSQRT_TABLE[((h >> 25).wrapping_sub(32) & 127) as usize] as u32 + 256;
+    let t = RSQRT_TABLE[(h >> 25) as usize] as u32 + 256;
     let e = (h >> 18).wrapping_mul(t * t) as i32;
     let e16 = e.wrapping_sub(1 << 30) >> 14;
     let e2 = e16.wrapping_mul(e16) >> 16;
@@ -47,19 +47,34 @@ const fn rsqrt_seed(h: u32) -> u32 {
 #[must_use]
 pub const fn rsqrt(h: u32) -> u32 {
     let y0 = min32(rsqrt_seed(h), 65535);
-    // e / 2^31 is twice the seed's relative error: |e| < 2^20 for h in range.
-    let e = ((umul(h, y0 * y0) as i64).wrapping_sub(1i64 << 62) >> 31) as i32;
-    let e8 = e >> 8;
-    let second = ((e8.wrapping_mul(e8) >> 13).wrapping_mul((y0 >> 8) as i32)).wrapping_mul(3) >> 12;
     if super::wide::SPLIT {
+        // e / 2^31 is twice the seed's relative error: |e| < 2^20 for h in range.
+        let e = ((umul(h, y0 * y0) as i64).wrapping_sub(1i64 << 62) >> 31) as i32;
+        let e8 = e >> 8;
+        let second = ((e8.wrapping_mul(e8) >> 13).wrapping_mul((y0 >> 8) as i32)).wrapping_mul(3) >> 12;
         // floor(y0 e / 2^16) by two single multiplications: e = 256 e8 + its low byte.
         let low = ((y0 * (e as u32 & 0xff)) >> 8) as i32;
         let first = (y0 as i32).wrapping_mul(e8).wrapping_add(low) >> 8;
         (y0 << 16).saturating_add_signed(second.wrapping_sub(first))
     } else {
-        let y = ((y0 as i64) << 16).wrapping_sub(super::wide::imul(y0 as i32, e) >> 16).wrapping_add(second as i64);
-        if y > u32::MAX as i64 { u32::MAX } else { y as u32 }
+        let y = rsqrt_wide(h);
+        if y > u32::MAX as u64 { u32::MAX } else { y as u32 }
     }
+}
+
+/// [`rsqrt`] in double words. Of 2^30 it is 2^32, for which a word has no room.
+///
+/// The same sum, of which all parts are shifted at once: rounded up, as what is subtracted is
+/// rounded down.
+#[inline(always)]
+pub(super) const fn rsqrt_wide(h: u32) -> u64 {
+    let y0 = min32(rsqrt_seed(h), 65535);
+    // 2^31 more than e.
+    let product = umul(h, y0 * y0) >> 31;
+    let (e8, y0) = (product.wrapping_sub(1 << 31) as i64 >> 8, y0 as u64);
+    let second = (e8.wrapping_mul(e8) as u64 >> 13).wrapping_mul(y0 >> 8).wrapping_mul(3) >> 12;
+    let first = y0.wrapping_mul((3u64 << 31).wrapping_sub(product));
+    first.wrapping_add(second << 16).wrapping_add(0xffff) >> 16
 }
 
 /// The exact floor of the square root of a double word.

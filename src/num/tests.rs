@@ -79,7 +79,7 @@ mod unit {
             for axis in [Axis::new(x, y), Axis::new(-x, y), Axis::new(x, -y), Axis::new(-x, -y)] {
                 let n = axis.length_squared();
                 let inverse = InverseRoot::of(n);
-                assert_eq!(UnitVec2::unpacked(unit_by(axis, inverse)), unit_nearest(axis), "{axis:?}");
+                assert_eq!(unit_by(axis, inverse), unit_nearest(axis), "{axis:?}");
                 assert_eq!(inverse.root(n), isqrt64(n), "{axis:?}");
                 // Quotients below 2^31, just reached and just missed.
                 for q in [1u64, 3, 0x1234, 0x7654_3210, (1 << 31) - 1] {

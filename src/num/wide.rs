@@ -200,8 +200,10 @@ pub(crate) const fn cmp_squares((a, p): (u64, u64), (b, q): (u64, u64)) -> Order
     }
 }
 
-/// `a^2 b` as [`mul128`] has it.
-#[inline(never)]
+/// `a^2 b` as [`mul128`] has it: a call, except where that would return it through memory for three
+/// products.
+#[cfg_attr(target_pointer_width = "64", inline(always))]
+#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
 pub(crate) const fn square_times(a: u64, b: u64) -> (u64, u64, u64) {
     mul128(sqr64(a), b)
 }

@@ -127,16 +127,87 @@ pub(crate) const fn circle_segment<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b
 /// cheap: seen from the first end.
 #[inline(always)]
 const fn by_region<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b: Raw) -> bool {
-    let (e, m) = (b.sub(a), c.sub(a));
+    let (e, m) = (Offset::between(a, b), Offset::between(a, c));
     let (dot, len2, limit) = (e.dot(m), e.dot(e), usqr(r as u32));
     let square = if dot <= 0 {
-        m.dot(m) as u64
+        m.len2()
     } else if dot >= len2 {
-        c.sub(b).len2()
+        let m = m.sub(e);
+        m.len2()
     } else {
         return near_line::<CLOSED>(e.cross(m), r, len2 as u64);
     };
     square < limit || (CLOSED && square == limit)
+}
+
+/// A difference of two points inside the domain, as wide as a register.
+#[cfg(not(all(target_pointer_width = "64", not(tilesat_split))))]
+pub(crate) use crate::num::Raw as Offset;
+
+#[cfg(not(all(target_pointer_width = "64", not(tilesat_split))))]
+impl Raw {
+    #[inline(always)]
+    pub(crate) const fn between(from: Self, to: Self) -> Self {
+        to.sub(from)
+    }
+
+    #[inline(always)]
+    pub(crate) const fn of_raw(v: Self) -> Self {
+        v
+    }
+
+    #[inline(always)]
+    pub(crate) const fn raw(self) -> Self {
+        self
+    }
+}
+
+/// A difference of two points inside the domain, as wide as a register. Such a processor loads a
+/// word as a double word at no cost, but needs one more instruction to widen a difference.
+#[cfg(all(target_pointer_width = "64", not(tilesat_split)))]
+#[derive(Clone, Copy)]
+pub(crate) struct Offset {
+    x: i64,
+    y: i64,
+}
+
+#[cfg(all(target_pointer_width = "64", not(tilesat_split)))]
+impl Offset {
+    #[inline(always)]
+    pub(crate) const fn between(from: Raw, to: Raw) -> Self {
+        Self { x: (to.x as i64).wrapping_sub(from.x as i64), y: (to.y as i64).wrapping_sub(from.y as i64) }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn sub(self, o: Self) -> Self {
+        Self { x: self.x.wrapping_sub(o.x), y: self.y.wrapping_sub(o.y) }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn dot(self, o: Self) -> i64 {
+        self.x.wrapping_mul(o.x).wrapping_add(self.y.wrapping_mul(o.y))
+    }
+
+    #[inline(always)]
+    pub(crate) const fn cross(self, o: Self) -> i64 {
+        self.x.wrapping_mul(o.y).wrapping_sub(self.y.wrapping_mul(o.x))
+    }
+
+    #[inline(always)]
+    pub(crate) const fn of_raw(v: Raw) -> Self {
+        Self { x: v.x as i64, y: v.y as i64 }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn len2(self) -> u64 {
+        self.dot(self) as u64
+    }
+
+    /// Below 2^30 in size, as each difference of two points.
+    #[inline(always)]
+    pub(crate) const fn raw(self) -> Raw {
+        Raw { x: self.x as i32, y: self.y as i32 }
+    }
 }
 
 /// Whether a point is nearer to a line than `r`, by the cross product of a vector along it: below

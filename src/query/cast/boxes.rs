@@ -1,9 +1,11 @@
 //! A moving box, or a circle, against a box: with a circle its corners are round.
 
 use super::kernel::{Course, Moment};
-use super::moment::{Disc, enters, meet_disc};
+use super::moment::{Disc, corner_contact, enters, meet_disc};
 use crate::num::{Axis, Raw, Toi, fraction, imul, umul};
-use crate::shape::{Aabb, Circle};
+use crate::query::Overlaps;
+use crate::query::meet::corners;
+use crate::shape::{Aabb, Circle, Segment};
 
 /// A straight side along x or y, met after `gap / speed` of the motion: `gap <= speed`, below 2^30.
 #[derive(Clone, Copy, Debug)]
@@ -165,6 +167,15 @@ impl BoxGate {
         }
     }
 
+    /// When and where it meets that, as [`Moment::contact`].
+    #[inline]
+    pub(super) fn contact(self, circle: &Circle, d: Raw) -> Option<(Toi, Raw, Axis)> {
+        match self {
+            Self::Side(side) => Some(side.contact(d)),
+            Self::Corner(corner) => corner_contact(circle.c().sub(corner), circle.r(), d),
+        }
+    }
+
     /// Whether it meets any.
     #[inline]
     pub(super) fn hits(self, circle: &Circle, d: Raw) -> bool {
@@ -215,8 +226,34 @@ pub(super) fn gate_here(circle: &Circle, b: &Aabb, d: Raw) -> Option<BoxGate> {
     Some(BoxGate::Corner(corner))
 }
 
+/// When and where a circle meets a segment along x or y: a box of no width.
+#[cfg_attr(target_pointer_width = "64", inline(never))]
+#[cfg_attr(not(target_pointer_width = "64"), inline)]
+pub(super) fn straight_contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw, Axis)> {
+    straight(circle, s, d).then(|gate| gate.contact(circle, d))
+}
+
+/// Where it can.
+#[inline(always)]
+pub(super) fn straight(circle: &Circle, s: &Segment, d: Raw) -> Course<BoxGate> {
+    if circle.overlaps(s) {
+        return Course::Inside;
+    }
+    let (lo, hi) = corners(s.ra(), s.rb());
+    Course::of(gate(circle, &Aabb::from_raw_unchecked(lo, hi), d))
+}
+
+/// Whether the motion comes into the capsule's bounding box, which most misses do not, or starts
+/// there.
+#[inline(never)]
+pub(super) fn comes_near(circle: &Circle, a: Raw, b: Raw, d: Raw) -> bool {
+    let (lo, hi) = corners(a, b);
+    let (c, (far_lo, far_hi)) = (circle.c(), grown(lo, hi, circle.r()));
+    !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
+}
+
 /// A box with its sides moved out, by a length below 2^29.
-pub(super) const fn grown(lo: Raw, hi: Raw, by: i32) -> (Raw, Raw) {
+const fn grown(lo: Raw, hi: Raw, by: i32) -> (Raw, Raw) {
     let by = Raw { x: by, y: by };
     (lo.sub(by), hi.add(by))
 }

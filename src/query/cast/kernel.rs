@@ -27,9 +27,14 @@ impl<M: Moment> Moment for Exchanged<M> {
 
     #[inline]
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
-        let (toi, step, axis) = self.0.contact(d.reversed());
-        (toi, step.reversed(), axis.reversed())
+        exchanged(self.0.contact(d.reversed()))
     }
+}
+
+/// The contact of the exchanged pair.
+#[inline]
+pub(super) const fn exchanged((toi, step, axis): (Toi, Raw, Axis)) -> (Toi, Raw, Axis) {
+    (toi, step.reversed(), axis.reversed())
 }
 
 /// The fate of a motion.
@@ -89,6 +94,13 @@ pub trait Enter<B: ?Sized>: InDomain {
 
     /// The hit of the motion `d`, below 2^29 per component. Its end may be outside the domain.
     fn enter(&self, b: &B, d: Raw) -> Course<Self::Moment>;
+
+    /// The same with the answer of [`Moment::contact`], for which a pair with several kinds of
+    /// boundary need not store which one it was.
+    #[inline]
+    fn first_contact(&self, b: &B, d: Raw) -> Course<(Toi, Raw, Axis)> {
+        self.enter(b, d).map(|moment| moment.contact(d))
+    }
 
     /// The same without what times are computed from.
     #[inline]

@@ -8,10 +8,10 @@ pub(super) mod segments;
 
 use super::Overlaps;
 use crate::error::RangeError;
-use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
+use crate::num::{Axis, LONG, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::shape::{Aabb, Circle, Segment};
 use boxes::{Rounded, SideMoment, enter_box};
-use kernel::{Course, Enter, Exchanged, InDomain, Moment};
+use kernel::{Course, Enter, Exchanged, InDomain, Moment, exchanged};
 use moment::{Disc, enter_disc, hit_disc};
 use segments::{Capsule, EdgeMoment, enter_crossing, enter_segment};
 
@@ -181,13 +181,13 @@ const fn share(d: i32, made: i32, whole: i32) -> i32 {
 
 #[inline]
 fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) -> Option<CastHit> {
-    match a.enter(b, d) {
+    let met = |(toi, step, axis): (Toi, Raw, Axis)| CastHit { toi, axis, displacement: step.vec2(), inside: false };
+    // In two steps on a chip, which has the stack of the first one back in the second.
+    let course = if LONG { a.first_contact(b, d).map(met) } else { a.enter(b, d).map(|moment| met(moment.contact(d))) };
+    match course {
         Course::Free => None,
         Course::Inside => matches!(inside, Inside::Hit).then(|| CastHit::at_start(d.vec2())),
-        Course::Meets(moment) => {
-            let (toi, step, axis) = moment.contact(d);
-            Some(CastHit { toi, axis, displacement: step.vec2(), inside: false })
-        }
+        Course::Meets(hit) => Some(hit),
     }
 }
 
@@ -196,14 +196,18 @@ fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) 
 fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError> {
     shape.check()?;
     let (x, y) = motion.raw();
+    // Half of what is allowed settles it for both components at once. The constant of that takes a
+    // chip without long immediates more than it saves.
+    let half = |d: i32| d.wrapping_add(MOTION / 2) as u32;
     let fits = |d: i32| (d.wrapping_add(MOTION - 1) as u32) < (2 * MOTION - 1) as u32;
-    if fits(x) && fits(y) { Ok(()) } else { check_motion(motion, MOTION) }
+    let small = if LONG { half(x) | half(y) < MOTION as u32 } else { fits(x) && fits(y) };
+    if small { Ok(()) } else { check_motion(motion, MOTION) }
 }
 
-/// One ordered pair and its kernel, and another one for a yes or no. Large kernels are calls, which
-/// keeps their stack and flash out of the caller.
+/// One ordered pair and its kernel, another one for a yes or no, and one for the contact. Large
+/// kernels are calls, which keeps their stack and flash out of the caller.
 macro_rules! casts {
-    ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr)?) => {
+    ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr $(, $contact:expr)?)?) => {
         impl Enter<$b> for $a {
             type Moment = $moment;
 
@@ -217,7 +221,13 @@ macro_rules! casts {
             fn hits(&self, b: &$b, $d: Raw) -> Course<()> {
                 let ($x, $y) = (self, b);
                 $hits
-            })?
+            }
+
+            $(#[inline]
+            fn first_contact(&self, b: &$b, $d: Raw) -> Course<(Toi, Raw, Axis)> {
+                let ($x, $y) = (self, b);
+                $contact
+            })?)?
         }
 
         impl CastShape<$b> for $a {}
@@ -226,8 +236,8 @@ macro_rules! casts {
 
 /// A pair of different shapes, in both orders.
 macro_rules! casts_both {
-    ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr)?) => {
-        casts!($a, $b, $moment, |$x, $y, $d| $course $(, #[$call] $hits)?);
+    ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr $(, $contact:expr)?)?) => {
+        casts!($a, $b, $moment, |$x, $y, $d| $course $(, #[$call] $hits $(, $contact)?)?);
         casts!(
             $b,
             $a,
@@ -237,7 +247,8 @@ macro_rules! casts_both {
                 $course.map(Exchanged)
             },
             #[inline]
-            $x.hits($y, d.reversed())
+            $x.hits($y, d.reversed()),
+            $x.first_contact($y, d.reversed()).map(exchanged)
         );
     };
 }
@@ -271,7 +282,8 @@ casts_both!(
     Rounded,
     |a, b, d| unless(a.overlaps(b), || boxes::gate(a, b, d)?.enter(a, d)),
     #[inline(never)]
-    unless(a.overlaps(b), || boxes::gate_here(a, b, d)?.hits(a, d).then_some(()))
+    unless(a.overlaps(b), || boxes::gate_here(a, b, d)?.hits(a, d).then_some(())),
+    unless(a.overlaps(b), || boxes::gate(a, b, d)?.contact(a, d))
 );
 casts_both!(
     Circle,
@@ -279,7 +291,8 @@ casts_both!(
     Capsule,
     |a, b, d| segments::gate(a, b, d).then(|gate| gate.enter(a, d)),
     #[inline(never)]
-    segments::gate(a, b, d).then(|gate| gate.hits(a, d).then_some(()))
+    segments::gate(a, b, d).then(|gate| gate.hits(a, d).then_some(())),
+    segments::contact(a, b, d)
 );
 casts_both!(Aabb, Segment, EdgeMoment, |a, b, d| enter_segment(a.lo(), a.hi(), b.ra(), b.rb(), d));
 // A point is a box or a circle of size zero.

@@ -16,8 +16,7 @@ use core::cmp::Ordering;
 /// This form has no cancellation. The root and the denominator are rounded up, the numerator and
 /// the quotient down, so it is never late. Each step keeps 31 bits or whole raw units: it is early
 /// by less than a raw unit of way.
-#[cfg_attr(not(target_pointer_width = "64"), inline(never))]
-#[cfg_attr(target_pointer_width = "64", inline)]
+#[inline(never)]
 pub(crate) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
     let (word, shift) = word(b.wrapping_add(root128_up(sub128(rra, sqr_signed(cross)))));
     quotient(c >> shift, word.wrapping_add(1))
@@ -210,7 +209,7 @@ pub(super) fn pass(u: i64, du: i64, cross: impl FnOnce() -> i64) -> Pass {
 /// Whether it is beyond at T. The face's direction has the length whose square is `len2`.
 #[inline]
 pub(super) fn passes_in_time(cross: i64, du: i64, len2: u64, r: i32) -> bool {
-    let order = cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r.unsigned_abs())));
+    let order = cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r as u32)));
     // s <= T on the way to the face, else T <= s.
     if du > 0 { order.is_ge() } else { order.is_le() }
 }
@@ -390,6 +389,12 @@ fn is_inside(a: Raw, b: Raw, r: i32) -> bool {
 #[inline]
 pub(in crate::query) fn meet_disc(m: Raw, r: i32, d: Raw) -> Option<Disc> {
     Crossing::of(m, r, d).map(|crossing| Disc { m, crossing })
+}
+
+/// The contact with the disc of radius `r` around the origin of a point outside of it.
+#[inline]
+pub(super) fn corner_contact(m: Raw, r: i32, d: Raw) -> Option<(Toi, Raw, Axis)> {
+    meet_disc(m, r, d).map(|disc| disc.contact(d))
 }
 
 /// The same of a ray, which touching stops; with the bound of its time.

@@ -1,14 +1,13 @@
 //! A moving box, segment or circle against a segment: with a circle, a capsule that its centre
 //! comes into.
 
-use super::boxes::{self, Rounded, enter_box, grown};
+use super::boxes::{self, Rounded};
 use super::kernel::{Course, Moment};
 use super::moment::direction;
-use super::moment::{Pass, gap_time, is_below, last_before, pass, passes_in_time};
+use super::moment::{Pass, corner_contact, gap_time, is_below, last_before, pass, passes_in_time};
 use crate::num::{Axis, LONG, Raw, Toi, add128, less128, mul_div_wide, mul64, sqr64, square_times, umul, usqr};
-use crate::query::Overlaps;
-use crate::query::meet::{circle_circle, corners, cross_range};
-use crate::shape::{Aabb, Circle, Segment};
+use crate::query::meet::{Offset, circle_circle, corners, cross_range};
+use crate::shape::{Circle, Segment};
 use core::cmp::Ordering;
 
 /// A straight side of any direction, met after `gap / speed` of the motion: `gap <= speed`, both
@@ -220,96 +219,155 @@ impl CapsuleGate {
 }
 
 /// Where a circle that moves by `d` can start to overlap a segment, if it does not overlap it yet.
-///
-/// A circle of radius zero overlaps no segment.
 #[inline]
 pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> {
-    let (a, b) = (s.ra(), s.rb());
-    if circle.r() == 0 {
-        Course::Free
-    } else if a.x == b.x || a.y == b.y {
-        straight_gate(circle, s, d)
-    // Where products are cheap, the strip turns away as much for less.
-    } else if !LONG && !comes_near(circle, a, b, d) {
-        Course::Free
-    } else {
-        slanted_gate(circle, (a, b), d)
+    match facing(circle, s, d) {
+        Facing::Away => Course::Free,
+        Facing::Straight => straight_gate(circle, s, d),
+        Facing::Slanted(slanted) => slanted.part(d).map(|part| match part {
+            Part::Slope { into } => CapsuleGate::Slope(slanted.slope(into)),
+            Part::End(end) => CapsuleGate::Rounded(boxes::BoxGate::Corner(end)),
+        }),
     }
 }
 
-/// A segment along x or y is a box of no width. A call on 64-bit processors: it would take the
-/// registers of the slanted ones.
+/// When and where it does, as [`Moment::contact`].
+#[inline]
+pub(super) fn contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw, Axis)> {
+    match facing(circle, s, d) {
+        Facing::Away => Course::Free,
+        Facing::Straight => boxes::straight_contact(circle, s, d),
+        Facing::Slanted(slanted) => slanted.part(d).then(|part| match part {
+            Part::Slope { into } => Some(slanted.slope(into).contact(d)),
+            Part::End(end) => corner_contact(circle.c().sub(end), circle.r(), d),
+        }),
+    }
+}
+
+/// A segment as a circle comes to it.
+enum Facing {
+    /// It overlaps nothing: it has no radius, or does not come near.
+    Away,
+    /// Along x or y, like a box of no width.
+    Straight,
+    Slanted(Slanted),
+}
+
+#[inline(always)]
+fn facing(circle: &Circle, s: &Segment, d: Raw) -> Facing {
+    let (a, b) = (s.ra(), s.rb());
+    if circle.r() == 0 {
+        Facing::Away
+    } else if a.x == b.x || a.y == b.y {
+        Facing::Straight
+    // Where products are cheap, the strip turns away as much for less.
+    } else if !LONG && !boxes::comes_near(circle, a, b, d) {
+        Facing::Away
+    } else {
+        Facing::Slanted(Slanted::new(circle, a, b))
+    }
+}
+
+/// A call on 64-bit processors: it would take the registers of the slanted ones.
 #[cfg_attr(target_pointer_width = "64", inline(never))]
 #[cfg_attr(not(target_pointer_width = "64"), inline)]
 fn straight_gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> {
-    if circle.overlaps(s) {
-        return Course::Inside;
-    }
-    let (lo, hi) = corners(s.ra(), s.rb());
-    Course::of(boxes::gate(circle, &Aabb::from_raw_unchecked(lo, hi), d).map(CapsuleGate::Rounded))
+    boxes::straight(circle, s, d).map(CapsuleGate::Rounded)
 }
 
-/// The same for a slanted segment that is near.
+/// A slanted segment as the centre of a circle sees it.
 ///
 /// As for a [rounded box](boxes::gate), the capsule lies in the strip around the segment's line. A
 /// motion that starts outside enters the strip beside the segment itself, or beyond an end. From
 /// there, and from a start in the strip, it meets the disc around that end or nothing.
-#[inline]
-fn slanted_gate(circle: &Circle, (a, b): (Raw, Raw), d: Raw) -> Course<CapsuleGate> {
-    let (r, e, m) = (circle.r(), b.sub(a), circle.c().sub(a));
-    let corner = |end: Raw| CapsuleGate::Rounded(boxes::BoxGate::Corner(end));
-    // The height above the line and the foot on it, in units of the edge's length.
-    let (cross, u, len2) = (e.cross(m), e.dot(m), e.len2());
-    let (gap, reach) = (cross.unsigned_abs(), mul64(usqr(r as u32), len2));
-    if is_below(gap, reach) {
-        // In the strip: over the segment itself, or where the disc around the nearer end decides.
-        let end = if u <= 0 {
-            a
-        } else if u as u64 >= len2 {
-            b
-        } else {
-            return Course::Inside;
-        };
-        return if circle_circle::<false>(circle.c(), end, r) { Course::Inside } else { Course::Meets(corner(end)) };
-    }
-    // The outer side of the edge is the circle's.
-    let left = cross > 0;
-    let turn = e.cross(d);
-    let into = if left { turn.wrapping_neg() } else { turn };
-    let rest = (gap as i64).wrapping_sub(into);
-    if into <= 0 || (rest >= 0 && !is_below(rest as u64, reach)) {
-        return Course::Free;
-    }
-    let du = e.dot(d);
-    // As seen from an end along the segment; `turned` where the outer side is on the right then.
-    let meets = |u: i64, du: i64, from: Raw, turned: bool| {
-        let cross = || {
-            let cross = from.cross(d);
-            if turned { cross.wrapping_neg() } else { cross }
-        };
-        match pass(u, du, cross) {
-            Pass::Never(beyond) => beyond,
-            Pass::At { cross, du } => passes_in_time(cross, du, len2, r),
-        }
-    };
-    Course::Meets(if !meets(u, du, m, left) {
-        corner(a)
-    } else if !meets((len2 as i64).wrapping_sub(u), du.wrapping_neg(), m.sub(e), !left) {
-        corner(b)
-    } else {
-        let axis = Axis::new(e.y, e.x.wrapping_neg());
-        let axis = if left { axis.reversed() } else { axis };
-        CapsuleGate::Slope(Slope { gap, into: into as u64, reach, axis })
-    })
+#[derive(Clone, Copy)]
+struct Slanted {
+    c: Raw,
+    r: i32,
+    a: Raw,
+    b: Raw,
+    e: Offset,
+    m: Offset,
+    /// The height above the line and the foot on it, in units of the edge's length.
+    cross: i64,
+    u: i64,
+    len2: u64,
+    reach: (u64, u64),
 }
 
-/// Whether the motion comes into the capsule's bounding box, which most misses do not, or starts
-/// there.
-#[inline(never)]
-fn comes_near(circle: &Circle, a: Raw, b: Raw, d: Raw) -> bool {
-    let (lo, hi) = corners(a, b);
-    let (c, (far_lo, far_hi)) = (circle.c(), grown(lo, hi, circle.r()));
-    !matches!(enter_box(c, c, far_lo, far_hi, d), Course::Free)
+/// The only part of a slanted capsule that a motion can come in through.
+enum Part {
+    /// The side, which it does come through: this much of the way leads to the line.
+    Slope { into: u64 },
+    /// The disc around an end.
+    End(Raw),
+}
+
+impl Slanted {
+    #[inline(always)]
+    fn new(circle: &Circle, a: Raw, b: Raw) -> Self {
+        let (c, r, e) = (circle.c(), circle.r(), Offset::between(a, b));
+        let m = Offset::between(a, c);
+        let len2 = e.len2();
+        Self { c, r, a, b, e, m, cross: e.cross(m), u: e.dot(m), len2, reach: mul64(usqr(r as u32), len2) }
+    }
+
+    /// The outer side of the edge is the circle's.
+    #[inline(always)]
+    const fn is_left(&self) -> bool {
+        self.cross > 0
+    }
+
+    #[inline(always)]
+    fn part(&self, d: Raw) -> Course<Part> {
+        let Self { c, r, a, b, e, m, cross, u, len2, reach } = *self;
+        let gap = cross.unsigned_abs();
+        if is_below(gap, reach) {
+            // In the strip: over the segment, or the disc around the nearer end decides.
+            let end = if u <= 0 {
+                a
+            } else if u as u64 >= len2 {
+                b
+            } else {
+                return Course::Inside;
+            };
+            return if circle_circle::<false>(c, end, r) { Course::Inside } else { Course::Meets(Part::End(end)) };
+        }
+        let (left, d) = (self.is_left(), Offset::of_raw(d));
+        let turn = e.cross(d);
+        let into = if left { turn.wrapping_neg() } else { turn };
+        let rest = (gap as i64).wrapping_sub(into);
+        if into <= 0 || (rest >= 0 && !is_below(rest as u64, reach)) {
+            return Course::Free;
+        }
+        let du = e.dot(d);
+        // As seen from an end; `turned` where the outer side is on the right then.
+        let meets = |u: i64, du: i64, from: Offset, turned: bool| {
+            let cross = || {
+                let cross = from.cross(d);
+                if turned { cross.wrapping_neg() } else { cross }
+            };
+            match pass(u, du, cross) {
+                Pass::Never(beyond) => beyond,
+                Pass::At { cross, du } => passes_in_time(cross, du, len2, r),
+            }
+        };
+        Course::Meets(if !meets(u, du, m, left) {
+            Part::End(a)
+        } else if !meets((len2 as i64).wrapping_sub(u), du.wrapping_neg(), m.sub(e), !left) {
+            Part::End(b)
+        } else {
+            Part::Slope { into: into as u64 }
+        })
+    }
+
+    #[inline(always)]
+    fn slope(&self, into: u64) -> Slope {
+        let Raw { x, y } = self.e.raw();
+        let axis = Axis::new(y, x.wrapping_neg());
+        let axis = if self.is_left() { axis.reversed() } else { axis };
+        Slope { gap: self.cross.unsigned_abs(), into, reach: self.reach, axis }
+    }
 }
 
 impl Slope {
@@ -358,6 +416,7 @@ impl Slope {
     }
 
     /// Each component rounded to the side that the normal points to: the height only gains.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
     pub(in crate::query) fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
         let t = self.bound();
         let outward = |out: i32, d: i32| {

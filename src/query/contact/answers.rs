@@ -48,15 +48,15 @@ impl Contact {
         if !LONG {
             return (self.depth(), self.normal());
         }
-        if self.is_parallel() {
+        // A radial axis is no parallel: the test that tells them apart is made once.
+        let (unit, depth) = if self.radial {
+            radial_exit(self.axis, self.axis.length_squared(), self.radii())
+        } else if self.is_parallel() {
             return (Fx::from_bits(self.depth_along()), UnitVec2::along(self.axis));
-        }
-        let (normal, depth) = if self.radial {
-            radial_exit(self.axis, self.radii())
         } else {
-            sloped_exit(self.axis, self.overlap, self.radii())
+            sloped_exit(self.axis, self.axis.length_squared(), self.overlap, self.radii())
         };
-        (Fx::from_bits(depth), UnitVec2::unpacked(normal))
+        (Fx::from_bits(depth), UnitVec2::unpacked(unit))
     }
 
     /// A displacement of A after which the two do not overlap: against the axis, each component
@@ -191,21 +191,19 @@ const fn sloped_depth(axis: Axis, overlap: i64, radii: i32, radial: bool) -> i32
     ceil(radii, overlap, n, div_sqrt(overlap.unsigned_abs(), n))
 }
 
-/// The unit vector and the depth of a radial contact. A call, with its answer in two registers:
-/// shapes that do not overlap then have no registers to save.
+/// The unit vector and the depth of a radial contact, by its axis and the square of that. A call,
+/// with its answer in two registers: shapes that do not overlap then have no registers to save.
 #[inline(never)]
-const fn radial_exit(axis: Axis, radii: i32) -> (u64, i32) {
-    let n = axis.length_squared();
+const fn radial_exit(axis: Axis, n: u64, radii: i32) -> (u64, i32) {
     let inverse = InverseRoot::of(n);
-    (unit_by(axis, inverse), radii.wrapping_sub(inverse.root(n) as i32))
+    (unit_by(axis, inverse).packed(), radii.wrapping_sub(inverse.root(n) as i32))
 }
 
 /// The same for another one.
 #[inline(never)]
-const fn sloped_exit(axis: Axis, overlap: i64, radii: i32) -> (u64, i32) {
-    let n = axis.length_squared();
-    let inverse = InverseRoot::of(n);
-    (unit_by(axis, inverse), ceil(radii, overlap, n, inverse.times(overlap.unsigned_abs(), n)))
+const fn sloped_exit(axis: Axis, n: u64, overlap: i64, radii: i32) -> (u64, i32) {
+    let inverse = InverseRoot::called(n);
+    (unit_by(axis, inverse).packed(), ceil(radii, overlap, n, inverse.times(overlap.unsigned_abs(), n)))
 }
 
 /// `ceil(radii + overlap / sqrt(n))`, by the floor of the size of that quotient.

@@ -4,7 +4,7 @@ use super::{Contact, Contacts, parallel_to_unit};
 use crate::num::{Axis, LONG, Raw, less128, mul64, sqr64, usqr};
 use crate::query::closest::Square;
 use crate::query::meet;
-use crate::query::meet::{Region, circle_circle, clamp, corners, cross_range, gap, region};
+use crate::query::meet::{Offset, Region, circle_circle, clamp, corners, cross_range, gap, region};
 use crate::shape::{Aabb, Circle, Segment};
 
 impl Contacts<Aabb> for Aabb {
@@ -112,55 +112,91 @@ fn outside(c: Raw, r: i32, lo: Raw, hi: Raw) -> Option<Contact> {
 /// The nearest end, or the perpendicular.
 #[cfg_attr(target_pointer_width = "64", inline(always))]
 fn circle_segment(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact> {
-    let mut inside = false;
-    if !LONG {
-        let (lo, hi) = corners(a, b);
-        let (gx, gy) = (gap(c.x, lo.x, hi.x), gap(c.y, lo.y, hi.y));
-        if gx >= r || gy >= r {
-            return None;
-        }
-        inside = gx <= 0 && gy <= 0;
-        if lo.x == hi.x || lo.y == hi.y {
-            let contact = if inside { on_segment(c, a, b, prefer) } else { outside(c, r, lo, hi)? };
-            return Some(contact.with_radii(r, 0));
-        }
+    if LONG {
+        return by_region(c, r, a, b, prefer);
     }
-    let e = b.sub(a);
+    let (lo, hi) = corners(a, b);
+    let (gx, gy) = (gap(c.x, lo.x, hi.x), gap(c.y, lo.y, hi.y));
+    if gx >= r || gy >= r {
+        return None;
+    }
+    let inside = gx <= 0 && gy <= 0;
+    if lo.x == hi.x || lo.y == hi.y {
+        let contact = if inside { on_segment(c, b.sub(a), prefer) } else { outside(c, r, lo, hi)? };
+        return Some(contact.with_radii(r, 0));
+    }
     let contact = match region::<false>(c, a, b, inside) {
         Region::End(p) => {
             if !circle_circle::<false>(c, p, r) {
                 return None;
             }
-            let v = p.sub(c);
-            // Without a look at the box, the centre may be at this end.
-            if LONG && v.is_zero() { on_segment(c, a, b, prefer) } else { Contact::radial(c, v) }
+            Contact::radial(c, p.sub(c))
         }
-        Region::Line { cross: 0, .. } if r > 0 => on_segment(c, a, b, prefer),
+        Region::Line { cross: 0, .. } if r > 0 => on_segment(c, b.sub(a), prefer),
         Region::Line { cross, len2 } => {
             if !meet::near_line::<false>(cross, r, len2) {
                 return None;
             }
-            if LONG && e.x == 0 {
-                Contact::radial(c, Raw { x: a.x.wrapping_sub(c.x), y: 0 })
-            } else if LONG && e.y == 0 {
-                Contact::radial(c, Raw { x: 0, y: a.y.wrapping_sub(c.y) })
-            } else {
-                // A positive cross product is on the side of the normal (-e.y, e.x): the segment
-                // lies against it.
-                let left = Axis::new(e.y.wrapping_neg(), e.x);
-                let axis = if cross > 0 { left.reversed() } else { left };
-                Contact::new(axis, (cross.unsigned_abs() as i64).wrapping_neg(), c)
-            }
+            beside(c, b.sub(a), cross)
         }
     };
     Some(contact.with_radii(r, 0))
 }
 
-/// A circle whose centre is on the segment: both sides are as near.
-fn on_segment(c: Raw, a: Raw, b: Raw, prefer: i32) -> Contact {
-    let e = ordered_edge(a, b);
+/// The same without a look at the bounding box, as [`meet::circle_segment`] has it, and all seen
+/// from the first end, which takes the fewest registers.
+#[inline(always)]
+fn by_region(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact> {
+    let (e, m) = (Offset::between(a, b), Offset::between(a, c));
+    let (dot, len2) = (e.dot(m), e.dot(e));
+    let contact = if dot > 0 && dot < len2 {
+        let cross = e.cross(m);
+        if !meet::near_line::<false>(cross, r, len2 as u64) {
+            return None;
+        }
+        let (e, m) = (e.raw(), m.raw());
+        if cross == 0 {
+            on_segment(c, e, prefer)
+        } else if e.x == 0 {
+            Contact::radial(c, Raw { x: m.x.wrapping_neg(), y: 0 })
+        } else if e.y == 0 {
+            Contact::radial(c, Raw { x: 0, y: m.y.wrapping_neg() })
+        } else {
+            beside(c, e, cross)
+        }
+    } else {
+        let from = if dot <= 0 { m } else { m.sub(e) };
+        let square = from.dot(from) as u64;
+        if square >= usqr(r as u32) {
+            return None;
+        }
+        if square == 0 { on_segment(c, e.raw(), prefer) } else { Contact::radial(c, from.raw().reversed()) }
+    };
+    Some(contact.with_radii(r, 0))
+}
+
+/// A circle beside the edge `e`, at this cross product with it: a positive one is on the side of
+/// the normal (-e.y, e.x), so the segment lies against it.
+#[inline(always)]
+fn beside(c: Raw, e: Raw, cross: i64) -> Contact {
+    let left = Axis::new(e.y.wrapping_neg(), e.x);
+    let axis = if cross > 0 { left.reversed() } else { left };
+    Contact::new(axis, (cross.unsigned_abs() as i64).wrapping_neg(), c)
+}
+
+/// A circle whose centre is on the segment with this edge: both sides are as near.
+#[inline]
+fn on_segment(c: Raw, e: Raw, prefer: i32) -> Contact {
+    Contact::new(across(e, prefer), 0, c).with_degenerate(true)
+}
+
+/// The normal of a segment by its ends, or the other one where `prefer` is negative.
+#[cold]
+#[inline(never)]
+fn across(e: Raw, prefer: i32) -> Axis {
+    let turned = e.x < 0 || (e.x == 0 && e.y < 0);
     let normal = parallel_to_unit(Raw { x: e.y.wrapping_neg(), y: e.x });
-    Contact::new(if prefer < 0 { normal.reversed() } else { normal }, 0, c).with_degenerate(true)
+    if turned == (prefer < 0) { normal } else { normal.reversed() }
 }
 
 impl Contacts<Segment> for Aabb {
@@ -187,12 +223,6 @@ impl Contacts<Segment> for Segment {
 /// The ends in lexicographic order: reversing a segment changes nothing.
 const fn ordered(a: Raw, b: Raw) -> (Raw, Raw) {
     if b.x < a.x || (b.x == a.x && b.y < a.y) { (b, a) } else { (a, b) }
-}
-
-/// The edge from the smaller to the larger end.
-pub(super) const fn ordered_edge(a: Raw, b: Raw) -> Raw {
-    let (a, b) = ordered(a, b);
-    b.sub(a)
 }
 
 /// A is the box.
