@@ -183,7 +183,7 @@ fn touched_arc<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane
             in_disc(m, radius.wrapping_add(r).wrapping_add(REACH))
         } else {
             let room = radius.wrapping_sub(r);
-            room > 0 && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room)
+            room > 0 && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room.wrapping_add(REACH))
         };
         if near {
             if !B::MEETS_CORNERS {

@@ -135,10 +135,10 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     /// What a part of the motion must not go against: the velocity, or a pipe's chord, since a pipe
-    /// turns the velocity.
+    /// turns the velocity. Only bodies with several corners at a pipe meet it on its chord.
     #[inline]
     pub(super) fn course<W: World>(&self, d: Raw) -> Raw {
-        if W::ROUND && self.on_chord { d } else { self.before }
+        if W::ROUND && B::ANGULAR && self.on_chord { d } else { self.before }
     }
 
     /// Moves by the displacement `q` up to a hit, not against `u`. Returns the displacement made.
