@@ -341,8 +341,8 @@ fn blocks() {
         for tile in &mut tiles {
             *tile = u8::from(*tile != 0);
         }
-        let [map, fine] = [1, FINE]
-            .map(|times| TileMap::on_grid(&tiles, grid(times), &FULL).unwrap().with_outside(Outside::Empty));
+        let [map, fine] =
+            [1, FINE].map(|times| TileMap::on_grid(&tiles, grid(times), &FULL).unwrap().with_outside(Outside::Empty));
         let mut done = 0;
         while done < 12 {
             let c = (inner(&mut random), inner(&mut random));
@@ -390,5 +390,5 @@ fn segments_and_joined_levels() {
     println!("{tally:?} {both:?}");
     for tally in [tally, both] {
         assert!(tally.hits > tally.frames / 8 && tally.stops > 0, "{tally:?}");
-        }
+    }
 }
