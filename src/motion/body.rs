@@ -118,7 +118,8 @@ impl Entry {
         self.normal.dot(Axis::new(d.x, d.y)).wrapping_neg()
     }
 
-    fn precedes(&self, other: &Self) -> Option<bool> {
+    /// The same as far as the times and ends decide it.
+    pub(super) fn precedes(&self, other: &Self) -> Option<bool> {
         match self.time(other) {
             Ordering::Equal if self.at_end == other.at_end => None,
             Ordering::Equal => Some(other.at_end),

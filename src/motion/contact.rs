@@ -56,9 +56,11 @@ impl Plane {
         if turns { Self { normal: self.normal.reversed(), ..self } } else { self }
     }
 
-    /// Whether it is the tangent of a pipe, and not at one of the pipe's ends.
-    pub(super) fn is_inside_pipe(&self) -> bool {
-        matches!(self.bend, Bend::Concave { .. }) && self.normal.x != 0 && self.normal.y != 0
+    /// Whether it is the tangent of a pipe, and a way in this direction leads into the pipe. Not at
+    /// one of its ends, nor if the way leads past one.
+    pub(super) fn is_pipe_ahead(&self, v: Raw) -> bool {
+        let is_inside = self.normal.x != 0 && self.normal.y != 0;
+        is_inside && into(v, self.normal) < 0 && self.pipe().is_some_and(|pipe| pipe.is_left_along(v))
     }
 
     /// The pipe of this tangent.

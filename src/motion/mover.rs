@@ -425,7 +425,7 @@ impl<S: Law> Mover<S> {
             let used = mul_div(time, entry.num, entry.den);
             if let Some(side) = self.meet(run, used, entry.normal, feature) {
                 let known = (time == Toi::ONE.raw()).then_some(used);
-                made = run.place(world, d, entry.displacement_at(d, known), run.before);
+                made = run.place(world, d, entry.displacement_at(d, known), run.course::<W>(d));
                 chooses = self.respond::<W, B, WALKS>(run, used, (d, made), (side, entry, feature));
             }
         } else {

@@ -63,12 +63,24 @@ impl First {
     pub(super) fn add<B: Body, W: World>(&mut self, entry: &Entry, feature: &Feature, d: Raw) {
         let all_flat = W::BLOCKS && !B::MEETS_CORNERS;
         let slot = if all_flat || entry.step.is_none() { &mut self.flat } else { &mut self.round };
-        let before = |first: &Entry| {
-            if W::BLOCKS && !B::ANGULAR { entry.before(first, d) } else { entry.before_askew(first, d) }
+        // A corner is of the cell of one of its edges. A body whose own corner meets it exactly, and
+        // whose inside does not come to that cell, meets the other edge alone: it goes first.
+        let sharp = B::ANGULAR && entry.step.is_none();
+        let is_corner = |of: &Feature| sharp && matches!(of.geometry, Geometry::Vertex { .. });
+        let before = |first: &Entry, of: &Feature| {
+            if is_corner(feature) != is_corner(of) {
+                entry.precedes(first).unwrap_or_else(|| is_corner(of))
+            } else if W::BLOCKS && !B::ANGULAR {
+                entry.before(first, d)
+            } else {
+                entry.before_askew(first, d)
+            }
         };
         match (&slot.entry, &mut slot.feature) {
-            (Some(first), Some(of)) if entry.same_as(first) => merge(of, feature),
-            (Some(first), _) if !before(first) => {}
+            (Some(first), Some(of)) if entry.same_as(first) && is_corner(feature) == is_corner(of) => {
+                merge(of, feature)
+            }
+            (Some(first), Some(of)) if !before(first, of) => {}
             _ => slot.put(entry, feature),
         }
     }

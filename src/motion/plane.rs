@@ -234,6 +234,17 @@ pub(super) struct Chord {
 }
 
 impl Pipe {
+    /// Whether a ray from the point leaves the quarter disc through the arc, and not through one of
+    /// the radii to the arc's ends: between those it leads to either end, or to the centre.
+    pub(super) fn is_left_along(&self, v: Raw) -> bool {
+        let (q, r) = (self.quadrant, self.r);
+        let turn = i64::from(q.x.wrapping_mul(q.y));
+        let (x, y) = (Raw { x: r.wrapping_mul(q.x), y: 0 }, Raw { x: 0, y: r.wrapping_mul(q.y) });
+        let (x, y, centre) = (x.sub(self.m), y.sub(self.m), self.m.reversed());
+        let between = |a: Raw, b: Raw| a.cross(v).wrapping_mul(turn) >= 0 && v.cross(b).wrapping_mul(turn) >= 0;
+        !between(y, centre) && !between(centre, x)
+    }
+
     /// The way of a body of velocity `v` in the time `rest`. None if the velocity points
     /// straight into the pipe.
     ///

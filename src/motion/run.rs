@@ -134,6 +134,13 @@ impl<'m, B: Body> Run<'m, B> {
         self.place(world, d, entry.displacement(d), d)
     }
 
+    /// What a part of the motion must not go against: the velocity, or a pipe's chord, since a pipe
+    /// turns the velocity. Only bodies with several corners at a pipe meet it on its chord.
+    #[inline]
+    pub(super) fn course<W: World>(&self, d: Raw) -> Raw {
+        if W::ROUND && B::ANGULAR && self.on_chord { d } else { self.before }
+    }
+
     /// Moves by the displacement `q` up to a hit, not against `u`. Returns the displacement made.
     ///
     /// If a box meets blocks, the first displacement is certain. At the exact position of the hit

@@ -355,9 +355,10 @@ impl Quarter {
             if along(normal, d) < 0 && self.holds(normal) {
                 let Some(met) = sweep_side(core, i, self.centre, radius, d) else { continue };
                 by_side = true;
-                let at_end = core.radius == 0 && (normal.x == 0 || normal.y == 0);
-                if !at_end || self.side_covers(core, i, d, normal) {
-                    keep_first(&mut first, Some(&met), d);
+                let flat = core.radius == 0 && (normal.x == 0 || normal.y == 0);
+                let at_end = if flat { self.lands_at_end(core, i, d, normal) } else { Some(false) };
+                if let Some(at_end) = at_end {
+                    keep_first(&mut first, Some(&Entry { at_end, ..met }), d);
                 }
             }
         }
@@ -379,20 +380,20 @@ impl Quarter {
         first
     }
 
-    /// Whether a sharp side that lands flat on an end of the arc comes to be behind the arc.
-    fn side_covers(&self, core: Core<'_>, side: usize, d: Raw, normal: Axis) -> bool {
+    /// Whether a sharp side that lands flat on an end of the arc ends there itself. `None` if it
+    /// does not come to be behind the arc.
+    fn lands_at_end(&self, core: Core<'_>, side: usize, d: Raw, normal: Axis) -> Option<bool> {
         let (way, p) = (self.inward(normal), self.end(normal));
         let (i, j) = (side, core.after(side));
         let ahead = |k: usize| along(way, core.corner(k).sub(p)) as i32;
         let far = if ahead(i) > ahead(j) { i } else { j };
         let (gap, into) = (along(normal, core.corner(far).sub(p)), along(normal, d).wrapping_neg());
-        match over(ahead(far), along(way, d) as i32, gap as i32, into as i32) {
-            0 => covers(core, far, d, normal, way),
-            sign => sign > 0,
-        }
+        let over = over(ahead(far), along(way, d) as i32, gap as i32, into as i32);
+        (over > 0 || (over == 0 && covers(core, far, d, normal, way))).then_some(over == 0)
     }
 
-    /// The same of a sharp corner that meets an end of the arc, where its way leads through it.
+    /// Whether a sharp corner that meets an end of the arc, where its way leads through it, comes to
+    /// be behind the arc.
     fn corner_covers(&self, core: Core<'_>, corner: usize, d: Raw) -> bool {
         let (x, y) = (Axis::new(self.quadrant.x, 0), Axis::new(0, self.quadrant.y));
         let at = |end: Axis| self.end(end).sub(core.corner(corner)).cross(d) == 0;

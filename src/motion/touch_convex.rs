@@ -2,7 +2,7 @@
 
 use super::body::{Body, Entry, kernel::Kernel};
 use super::contact::{self, Bend, Plane};
-use super::plane::NEAR;
+use super::plane::{NEAR, way};
 use super::sweep_body::keep_first;
 use super::sweep_convex::is_within;
 use crate::error::RangeError;
@@ -26,6 +26,12 @@ pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(P
                 let over = along(dir, core.corner(last).sub(a)) >= -aside(dir)
                     && along(dir, core.corner(first).sub(b)) <= aside(dir);
                 plane(Plane { normal: normal(dir), bend: if over { Bend::Flat } else { Bend::End } });
+                // The free end of a one-way face is no vertex. The body's sides lead past it.
+                for end in [a, b] {
+                    if feature.one_way && is_near(end) {
+                        around(core, end, 0, &mut |_| true, plane);
+                    }
+                }
             }
             near
         }
@@ -101,7 +107,9 @@ fn around(
     any
 }
 
-/// The tangents of a quarter pipe at the corners of the body that are at it.
+/// The tangents of a quarter pipe at the corners of the body that are at it. A corner outside of the
+/// disc is behind the pipe: beside its end, where the solid between is a cusp. Of corners within the
+/// rounding distance of each other the outermost stands for all: more would fill the list of ways.
 fn pipe(core: Core<'_>, centre: Raw, radius: i32, quadrant: Axis, plane: &mut dyn FnMut(Plane)) -> bool {
     let room = radius.wrapping_sub(core.radius);
     if room <= 0 {
@@ -109,11 +117,15 @@ fn pipe(core: Core<'_>, centre: Raw, radius: i32, quadrant: Axis, plane: &mut dy
     }
     let signs = (quadrant.x.signum() as i8, quadrant.y.signum() as i8);
     let in_disc = |m: Raw, r: i32| r >= 0 && m.len2() <= usqr(r as u32);
-    let mut any = false;
-    for i in 0..core.corners.len() {
-        let m = core.corner(i).sub(centre);
+    let from_centre = |i: usize| core.corner(i).sub(centre);
+    let is_at = |m: Raw| {
         let within = m.x.wrapping_mul(quadrant.x) >= 0 && m.y.wrapping_mul(quadrant.y) >= 0 && !m.is_zero();
-        if within && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room.wrapping_add(REACH)) {
+        within && !in_disc(m, room.wrapping_sub(REACH + 1)) && in_disc(m, room)
+    };
+    let mut any = false;
+    for m in (0..core.corners.len()).map(from_centre).filter(|&m| is_at(m)) {
+        let hides = |other: Raw| is_at(other) && way(other.sub(m)) <= NEAR && other.len2() > m.len2();
+        if !(0..core.corners.len()).map(from_centre).any(hides) {
             let normal = Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg());
             plane(Plane { normal, bend: Bend::Concave { signs, room } });
             any = true;

@@ -58,7 +58,7 @@ impl Way {
         if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
             let (way, mut leads_in) = (*self, false);
             touched::<W, B>(body, feature, &mut |pipe| {
-                leads_in |= pipe.is_inside_pipe() && way.along != Some(pipe) && into(way.v, pipe.normal) < 0;
+                leads_in |= way.along != Some(pipe) && pipe.is_pipe_ahead(way.v);
             });
             if leads_in {
                 self.room = 0;

@@ -1,5 +1,5 @@
 //! Turned boxes, polygons and slanted capsules that move through random levels: never inside, never
-//! through a wall, never faster, and not held by what leaves them a way.
+//! through a wall, never faster, and never held by what leaves them a way.
 
 use std::fmt::Debug;
 use tilesat::motion::Body;
@@ -8,7 +8,7 @@ use tilesat::shape::{AnyShape, Compound};
 use tilesat::world::RayRules;
 use tilesat::{
     Aabb, AllShapes, Axis, Capsule, ConvexPolygon, Fx, Grid, Inside, Joined, Mover, OrientedBox, Outside, Path,
-    PathKind, Response, SegmentMap, TileKind, TileKinds, TileMap, TileShape, Vec2, World, segment_map,
+    PathKind, Response, TileKind, TileKinds, TileMap, TileShape, Vec2, World, segment_map,
 };
 use tilesat_judge::Random;
 
@@ -49,9 +49,21 @@ pub(super) fn tiles(random: &mut Random) -> [u8; SIDE * SIDE] {
     tiles
 }
 
-fn level(tiles: &[u8]) -> TileMap<'_, AllShapes> {
-    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16), Vec2::ZERO).unwrap();
-    TileMap::of(tiles, grid, &KINDS).unwrap().with_outside(Outside::Empty)
+/// The grid of a level, this many times as large.
+fn grid(times: i32) -> Grid {
+    Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16 * times), Vec2::ZERO).unwrap()
+}
+
+fn level(tiles: &[u8], times: i32) -> TileMap<'_, AllShapes> {
+    TileMap::of(tiles, grid(times), &KINDS).unwrap().with_outside(Outside::Empty)
+}
+
+/// How much finer the lattice is in which a body that stopped is asked for a way on.
+const FINE: i32 = 16;
+
+const fn fine(v: Vec2) -> Vec2 {
+    let (x, y) = v.raw();
+    Vec2::from_raw(x * FINE, y * FINE)
 }
 
 const fn at<const N: usize>(points: [(i16, i16); N]) -> [Vec2; N] {
@@ -76,6 +88,28 @@ const PATHS: [Path<'static>; 5] = [
     Path::new(PathKind::OneWay, &STEPS),
 ];
 segment_map!(static SEGMENTS: PATHS, Fx::const_from_int(32));
+
+const fn all_fine<const N: usize>(mut points: [Vec2; N]) -> [Vec2; N] {
+    let mut i = 0;
+    while i < N {
+        (points[i], i) = (fine(points[i]), i + 1);
+    }
+    points
+}
+
+const FINE_ROOM: [Vec2; 5] = all_fine(ROOM);
+const FINE_HILL: [Vec2; 5] = all_fine(HILL);
+const FINE_SHARD: [Vec2; 3] = all_fine(SHARD);
+const FINE_NEEDLE: [Vec2; 2] = all_fine(NEEDLE);
+const FINE_STEPS: [Vec2; 4] = all_fine(STEPS);
+const FINE_PATHS: [Path<'static>; 5] = [
+    Path::new(PathKind::Wall, &FINE_ROOM),
+    Path::new(PathKind::Solid, &FINE_HILL),
+    Path::new(PathKind::Solid, &FINE_SHARD),
+    Path::new(PathKind::Wall, &FINE_NEEDLE),
+    Path::new(PathKind::OneWay, &FINE_STEPS),
+];
+segment_map!(static FINE_SEGMENTS: FINE_PATHS, Fx::const_from_int(256));
 
 /// One-way faces are solid to what is in front of them.
 const SOLID: RayRules = RayRules { one_way: true, inside: Inside::Hit };
@@ -111,73 +145,138 @@ fn figure(random: &mut Random, c: (i64, i64)) -> Option<Any> {
     }
 }
 
+/// A body in a random level.
+trait Mobile: Body + PartialEq + Debug {
+    fn aabb(&self) -> Aabb;
+
+    /// The same in the finer lattice.
+    fn fine(&self) -> Self;
+
+    /// The smallest radius of its corners, in raw units, if any is round.
+    fn radius(&self) -> Option<i32>;
+}
+
+impl Mobile for Any {
+    fn aabb(&self) -> Aabb {
+        self.aabb()
+    }
+
+    fn fine(&self) -> Self {
+        let hull = |corners: &[Vec2], radius: Fx| {
+            let corners: Vec<_> = corners.iter().map(|&c| fine(c)).collect();
+            ConvexPolygon::hull(&corners).unwrap().with_radius(radius * FINE).unwrap().into()
+        };
+        match self {
+            Self::Capsule(it) => Capsule::new(fine(it.a()), fine(it.b()), it.radius() * FINE).unwrap().into(),
+            Self::OrientedBox(it) => hull(&it.corners(), it.radius()),
+            Self::Polygon(it) => hull(it.vertices(), it.radius()),
+            _ => panic!("no such body: {self:?}"),
+        }
+    }
+
+    fn radius(&self) -> Option<i32> {
+        let radius = match self {
+            Self::Capsule(it) => it.radius(),
+            Self::OrientedBox(it) => it.radius(),
+            Self::Polygon(it) => it.radius(),
+            _ => panic!("no such body: {self:?}"),
+        };
+        Some(radius.to_bits()).filter(|&r| r > 0)
+    }
+}
+
+impl Mobile for Compound<Any, 3> {
+    fn aabb(&self) -> Aabb {
+        self.aabb()
+    }
+
+    fn fine(&self) -> Self {
+        Self::new(&self.parts().iter().map(Mobile::fine).collect::<Vec<_>>()).unwrap()
+    }
+
+    fn radius(&self) -> Option<i32> {
+        self.parts().iter().filter_map(Mobile::radius).min()
+    }
+}
+
+/// A level, and the same in the finer lattice.
+struct Place<'a, W, B> {
+    world: &'a W,
+    fine: &'a W,
+    bounds: Aabb,
+    overlaps: fn(&W, &B) -> bool,
+    /// Where a motion of the body hits first.
+    first: fn(&W, &B, Vec2) -> Option<B>,
+}
+
+macro_rules! place {
+    ($world:expr, $fine:expr, $bounds:expr) => {
+        Place {
+            world: $world,
+            fine: $fine,
+            bounds: $bounds,
+            overlaps: |world, body| world.overlaps(body),
+            first: |world, body, d| world.cast_shape(body, d, SOLID).unwrap().map(|hit| hit.body),
+        }
+    };
+}
+
 #[derive(Debug, Default)]
 struct Tally {
     frames: u64,
     hits: u64,
     stops: u64,
-    /// Stops that the same velocity does not end, though a way with a part of it is free.
-    dead: u64,
-    /// The same of bodies less than a sixteenth of a unit wide or high, which are a few roundings.
-    tiny: u64,
 }
 
-/// Whether the body gets on by a unit in a direction that has a tenth of the velocity or more.
-fn has_a_way<W: World, B: Body>(world: &W, body: &B, v: Vec2, cast: &impl Fn(&W, &B, Vec2) -> bool) -> bool {
-    let (x, y) = v.raw();
-    let (x, y) = (f64::from(x), f64::from(y));
-    let length = x.hypot(y);
-    (-28..=28).any(|k| {
-        let (sin, cos) = (f64::from(k) / 20.0).sin_cos();
-        let unit = |a: f64| (a / length * 32768.0) as i32;
-        cast(world, body, Vec2::from_raw(unit(x * cos - y * sin), unit(x * sin + y * cos)))
-    })
-}
-
-#[expect(clippy::too_many_arguments, reason = "each differs between levels and bodies")]
-fn play<W: World, B: Body + PartialEq + Debug>(
-    world: &W,
-    mut body: B,
-    random: &mut Random,
-    bounds: &Aabb,
-    cast: &impl Fn(&W, &B, Vec2) -> bool,
-    overlaps: &impl Fn(&B) -> bool,
-    aabb: &impl Fn(&B) -> Aabb,
-    tally: &mut Tally,
-) {
-    let mut v = Vec2::ZERO;
-    for frame in 0..40 {
-        let push = if frame % 8 == 0 { [2, 8, 40][random.below(3) as usize] } else { 0 };
-        v += raw(random.around(1 + (push << 16)), random.around(1 + (push << 16)) + (1 << 14));
+impl<W: World, B: Mobile> Place<'_, W, B> {
+    /// Whether a body that its velocity presses against something gets on by a unit, in a direction
+    /// that has a tenth of the velocity or more.
+    ///
+    /// A stop is up to a raw unit before what it hits, and there a body is not held: one raw unit
+    /// before the end of a ledge it has a way down. So the velocity presses it on in a lattice 16
+    /// times as fine. What remains is a gap g of at most one unit of that lattice. Over a point that
+    /// opens, to a disc of radius r, ways that have up to a part c of the velocity for which
+    /// r (1 - sqrt(1 - c^2)) is g, so about c^2 r / 2. Ways of a disc need twice that square.
+    fn has_a_way(&self, body: &B, v: Vec2) -> bool {
+        let Some(pressed) = (self.first)(self.fine, &body.fine(), fine(v)) else { return true };
         let (x, y) = v.raw();
-        v = Vec2::from_raw(x.clamp(-64 << 16, 64 << 16), y.clamp(-64 << 16, 64 << 16));
-        let mover = [Mover::new(), Mover::platformer(Axis::NEG_Y)][random.below(2) as usize];
-        let bounces = random.one_in(6);
-        let mover = mover.with_response(if bounces { Response::Bounce } else { Response::Slide });
-        let case = || format!("{body:?} by {v:?}");
-        let moved = mover.move_and_slide(world, &body, v).unwrap_or_else(|e| panic!("{e:?}: {}", case()));
-        tally.frames += 1;
-        tally.hits += u64::from(!moved.hits.is_empty());
-        assert!(!overlaps(&moved.body), "inside {:?}: {}", moved.body, case());
-        assert!(square(moved.velocity) <= square(v), "faster {:?}: {}", moved.velocity, case());
-        assert!(bounds.contains(&aabb(&moved.body)), "out of the room {:?}: {}", moved.body, case());
-        if moved.velocity == Vec2::ZERO && !bounces && square(v) > 1 << 30 {
-            tally.stops += 1;
-            // What it met on the way took a part of the velocity. The same velocity there holds it
-            // only if it has no way.
-            let again = mover.move_and_slide(world, &moved.body, v).expect("it is free");
-            if again.body == moved.body && has_a_way(world, &moved.body, v, cast) {
-                let size = aabb(&moved.body).size();
-                let is_tiny = size.x.min(size.y) < Fx::from_bits(1 << 12);
-                *if is_tiny { &mut tally.tiny } else { &mut tally.dead } += 1;
-            }
-        }
-        (body, v) = (moved.body, moved.velocity);
+        let (x, y) = (f64::from(x), f64::from(y));
+        let unit = |a: f64| (a / x.hypot(y) * f64::from(FINE << 15)) as i32;
+        let least = body.radius().map_or(0.0, |r| (4.0 / f64::from(r * FINE)).sqrt());
+        (-28..=28).map(|k| (f64::from(k) / 20.0).sin_cos()).filter(|&(_, cos)| cos > least).any(|(sin, cos)| {
+            let way = Vec2::from_raw(unit(x * cos - y * sin), unit(x * sin + y * cos));
+            (self.first)(self.fine, &pressed, way).is_none()
+        })
     }
-}
 
-fn any_aabb(shape: &Any) -> Aabb {
-    shape.aabb()
+    fn play(&self, mut body: B, random: &mut Random, tally: &mut Tally) {
+        let mut v = Vec2::ZERO;
+        for frame in 0..40 {
+            let push = if frame % 8 == 0 { [2, 8, 40][random.below(3) as usize] } else { 0 };
+            v += raw(random.around(1 + (push << 16)), random.around(1 + (push << 16)) + (1 << 14));
+            let (x, y) = v.raw();
+            v = Vec2::from_raw(x.clamp(-64 << 16, 64 << 16), y.clamp(-64 << 16, 64 << 16));
+            let mover = [Mover::new(), Mover::platformer(Axis::NEG_Y)][random.below(2) as usize];
+            let bounces = random.one_in(6);
+            let mover = mover.with_response(if bounces { Response::Bounce } else { Response::Slide });
+            let case = || format!("{body:?} by {v:?}");
+            let moved = mover.move_and_slide(self.world, &body, v).unwrap_or_else(|e| panic!("{e:?}: {}", case()));
+            tally.frames += 1;
+            tally.hits += u64::from(!moved.hits.is_empty());
+            assert!(!(self.overlaps)(self.world, &moved.body), "inside {:?}: {}", moved.body, case());
+            assert!(square(moved.velocity) <= square(v), "faster {:?}: {}", moved.velocity, case());
+            assert!(self.bounds.contains(&moved.body.aabb()), "out of the room {:?}: {}", moved.body, case());
+            if moved.velocity == Vec2::ZERO && !bounces && square(v) > 1 << 30 {
+                tally.stops += 1;
+                // What it met on the way took a part of the velocity. The same velocity there holds
+                // it only if it has no way.
+                let again = mover.move_and_slide(self.world, &moved.body, v).expect("it is free");
+                let held = again.body == moved.body;
+                assert!(!held || !self.has_a_way(&moved.body, v), "held {:?}: {}", moved.body, case());
+            }
+            (body, v) = (moved.body, moved.velocity);
+        }
+    }
 }
 
 #[test]
@@ -188,7 +287,7 @@ fn tiles_of_all_shapes() {
     let inner = |random: &mut Random| random.within(2 * CELL, (SIDE as i64 - 2) * CELL);
     for _ in 0..tilesat_judge::cases(60) {
         let tiles = tiles(&mut random);
-        let map = level(&tiles);
+        let (map, fine) = (level(&tiles, 1), level(&tiles, FINE));
         let mut done = 0;
         while done < 12 {
             let c = (inner(&mut random), inner(&mut random));
@@ -197,13 +296,11 @@ fn tiles_of_all_shapes() {
                 continue;
             }
             done += 1;
-            let cast = |w: &TileMap<'_, AllShapes>, b: &Any, d| w.cast_shape(b, d, SOLID).unwrap().is_none();
-            play(&map, body, &mut random, &bounds, &cast, &|b| map.overlaps(b), &any_aabb, &mut tally);
+            place!(&map, &fine, bounds).play(body, &mut random, &mut tally);
         }
     }
     println!("{tally:?}");
-    assert!(tally.hits > tally.frames / 8, "{tally:?}");
-    assert!(tally.dead * 50_000 <= tally.frames && tally.tiny * 5_000 <= tally.frames, "{tally:?}");
+    assert!(tally.hits > tally.frames / 8 && tally.stops > 0, "{tally:?}");
 }
 
 /// Two or three figures that move as one.
@@ -214,7 +311,7 @@ fn compounds() {
     let bounds = Aabb::new(Vec2::ZERO, raw(SIDE as i64 * CELL, SIDE as i64 * CELL)).unwrap();
     for _ in 0..tilesat_judge::cases(60) {
         let tiles = tiles(&mut random);
-        let map = level(&tiles);
+        let (map, fine) = (level(&tiles, 1), level(&tiles, FINE));
         let mut done = 0;
         while done < 12 {
             let c = (random.within(2 * CELL, 12 * CELL), random.within(2 * CELL, 12 * CELL));
@@ -224,15 +321,11 @@ fn compounds() {
                 continue;
             }
             done += 1;
-            let cast =
-                |w: &TileMap<'_, AllShapes>, b: &Compound<Any, 3>, d| w.cast_shape(b, d, SOLID).unwrap().is_none();
-            let aabb = |b: &Compound<Any, 3>| b.aabb();
-            play(&map, body, &mut random, &bounds, &cast, &|b| map.overlaps(b), &aabb, &mut tally);
+            place!(&map, &fine, bounds).play(body, &mut random, &mut tally);
         }
     }
     println!("{tally:?}");
-    assert!(tally.hits > tally.frames / 8, "{tally:?}");
-    assert!(tally.dead * 50_000 <= tally.frames && tally.tiny * 5_000 <= tally.frames, "{tally:?}");
+    assert!(tally.hits > tally.frames / 8 && tally.stops > 0, "{tally:?}");
 }
 
 static FULL: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL);
@@ -248,8 +341,8 @@ fn blocks() {
         for tile in &mut tiles {
             *tile = u8::from(*tile != 0);
         }
-        let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_num(16), Vec2::ZERO).unwrap();
-        let map = TileMap::on_grid(&tiles, grid, &FULL).unwrap().with_outside(Outside::Empty);
+        let [map, fine] =
+            [1, FINE].map(|times| TileMap::on_grid(&tiles, grid(times), &FULL).unwrap().with_outside(Outside::Empty));
         let mut done = 0;
         while done < 12 {
             let c = (inner(&mut random), inner(&mut random));
@@ -258,13 +351,11 @@ fn blocks() {
                 continue;
             }
             done += 1;
-            let cast = |w: &TileMap<'_>, b: &Any, d| w.cast_shape(b, d, SOLID).unwrap().is_none();
-            play(&map, body, &mut random, &bounds, &cast, &|b| map.overlaps(b), &any_aabb, &mut tally);
+            place!(&map, &fine, bounds).play(body, &mut random, &mut tally);
         }
     }
     println!("{tally:?}");
-    assert!(tally.hits > tally.frames / 8, "{tally:?}");
-    assert!(tally.dead * 50_000 <= tally.frames && tally.tiny * 5_000 <= tally.frames, "{tally:?}");
+    assert!(tally.hits > tally.frames / 8 && tally.stops > 0, "{tally:?}");
 }
 
 #[test]
@@ -277,8 +368,8 @@ fn segments_and_joined_levels() {
         for tile in &mut tiles {
             *tile = if random.one_in(3) { *tile } else { 0 };
         }
-        let map = level(&tiles);
-        let joined = Joined::new(&map, &SEGMENTS);
+        let (map, fine) = (level(&tiles, 1), level(&tiles, FINE));
+        let (joined, fine) = (Joined::new(&map, &SEGMENTS), Joined::new(&fine, &FINE_SEGMENTS));
         let mut done = 0;
         while done < 12 {
             let c = (random.within(20 << 16, 200 << 16), random.within(20 << 16, 200 << 16));
@@ -287,22 +378,17 @@ fn segments_and_joined_levels() {
                 continue;
             }
             if !SEGMENTS.overlaps(&body) {
-                let cast = |w: &SegmentMap<'_>, b: &Any, d| w.cast_shape(b, d, SOLID).unwrap().is_none();
-                play(&SEGMENTS, body, &mut random, &bounds, &cast, &|b| SEGMENTS.overlaps(b), &any_aabb, &mut tally);
+                place!(&SEGMENTS, &FINE_SEGMENTS, bounds).play(body, &mut random, &mut tally);
                 done += 1;
             }
             if !joined.overlaps(&body) {
-                let cast = |w: &Joined<'_, TileMap<'_, AllShapes>, SegmentMap<'_>>, b: &Any, d| {
-                    w.cast_shape(b, d, SOLID).unwrap().is_none()
-                };
-                play(&joined, body, &mut random, &bounds, &cast, &|b| joined.overlaps(b), &any_aabb, &mut both);
+                place!(&joined, &fine, bounds).play(body, &mut random, &mut both);
                 done += 1;
             }
         }
     }
     println!("{tally:?} {both:?}");
     for tally in [tally, both] {
-        assert!(tally.hits > tally.frames / 8, "{tally:?}");
-        assert!(tally.dead * 50_000 <= tally.frames && tally.tiny * 5_000 <= tally.frames, "{tally:?}");
+        assert!(tally.hits > tally.frames / 8 && tally.stops > 0, "{tally:?}");
     }
 }

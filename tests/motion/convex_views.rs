@@ -4,13 +4,14 @@
 //! Exempt are full ties, as for other bodies (see `symmetry`).
 
 use tilesat::world::World;
-use tilesat::{Axis, Body, Mover, Response, Vec2};
+use tilesat::{Axis, Body, Mover, Outside, Response, Vec2};
 use tilesat_judge::convex::ask;
 use tilesat_judge::convex::bodies::{any, figure, raw, seen};
 use tilesat_judge::convex::shape::{MOST, Shape};
 use tilesat_judge::rooms::body::vec2;
 use tilesat_judge::rooms::view::View;
-use tilesat_judge::rooms::{P, PX, mosaic};
+use tilesat_judge::rooms::{P, PX, len2, mosaic};
+use tilesat_judge::shapes::level::Level;
 use tilesat_judge::{Random, cases};
 
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Slide, Response::Bounce, Response::Touch];
@@ -129,6 +130,56 @@ fn every_view_of_random_levels() {
     println!("{tally:?}");
     assert!(tally.hits > tally.frames / 8 && tally.words > tally.frames / 4, "{tally:?}");
     assert!(tally.ties * 100 <= tally.frames, "{tally:?}");
+}
+
+/// Four tiles around the origin, by row, with a polygon there and its velocity.
+type Scene<'a> = ([u8; 4], &'a [P], P);
+
+/// The outcome, which is the same in every view.
+fn in_all_views(&(tiles, corners, v): &Scene<'_>) -> Bits {
+    let (x, outside) = (-16 * PX, Outside::Empty);
+    let level = Level { width: 2, height: 2, cell: 16 * PX, x, y: x, outside, tiles: tiles.to_vec() };
+    let shape = Shape::polygon(corners, 0);
+    let out = bits(&Mover::new(), &level.all(), &any(&shape), v).0;
+    for view in [View::MirrorX, View::MirrorY, View::Transpose, View::Moved((-12_345, 6_789))] {
+        let (level, body) = (view.level(&level), any(&seen(view, &shape)));
+        let other = bits(&Mover::new(), &level.all(), &body, view.direction(v)).0;
+        assert_eq!(other, turned(view, &out), "{view:?}: {tiles:?} {corners:?} by {v:?}");
+    }
+    out
+}
+
+/// Scenes in which a body stopped though a way led on, each for another reason.
+#[test]
+fn what_leads_past_the_end_of_an_arc_is_a_way() {
+    let scenes: [Scene<'_>; 6] = [
+        // A corner behind the pipe: the solid between ends in a cusp.
+        ([0, 0, 0, 17], &[(-12, -13), (0, -1), (-2, 1), (-14, -11)], (1, 1_762_045)),
+        // A corner leaves the pipe past its end, before it reaches the surface.
+        ([0, 0, 0, 15], &[(-18_909, -3_871), (2, 1), (-17_072, 33_972), (-26_868, 8_673)], (1, -356_294)),
+        // The end of a one-way face is no corner.
+        ([0, 0, 0, 34], &[(-1, -4), (2, -4), (0, 0)], (0, 256_112)),
+        // A flat side lands on a convex arc's end by its own end.
+        ([0, 10, 0, 0], &[(-1, 0), (0, 0), (1, 1), (1, 2)], (0, -2_260_058)),
+        // Five corners at a pipe fill the list of ways.
+        ([0, 14, 10, 25], &[(3, -4), (4, -2), (2, 0), (1, 0), (1, -1)], (-9_451, 145_842)),
+        // The second corner at the pipe stops a chord that goes farther than the velocity does.
+        ([15, 29, 1, 1], &[(-251, -309), (-176, -295), (0, 0), (-284, -3), (-375, -54)], (2_294_073, -671_176)),
+    ];
+    for scene in &scenes {
+        let out = in_all_views(scene);
+        assert!(len2(out.0) > len2((PX / 2, 0)), "{scene:?}: {out:?}");
+    }
+}
+
+/// A corner of the body meets the tip between two tiles, which belongs to one of them. The body
+/// does not come into that one.
+#[test]
+fn the_corner_of_a_tile_beside_the_way_is_no_other_hit() {
+    let corners = [(-3332, 6), (-3331, 9), (-3331, 10), (-3335, 10), (-3335, 8)];
+    let corners = corners.map(|(x, y)| (x - 8_568, y + 208_045));
+    let out = in_all_views(&([10, 17, 14, 31], &corners, (16_351, -397_072)));
+    assert_eq!(out.4.last().map(|hit| hit.1), Some((-2, 1)), "{out:?}");
 }
 
 /// A place far away, up to the ends of the domain, changes nothing.

@@ -111,6 +111,11 @@ fn on_even_ground_it_turns_with_its_front_on_the_floor() {
         let left = if way > 0 { fx!(112) - hi } else { lo - fx!(16) };
         assert!((Fx::ZERO..=run.abs()).contains(&left), "{run}: {left}");
         assert!(!enemy.ledge_ahead(&level, -run).unwrap());
+        // Without a sign it looks to larger x.
+        for _ in 0..2 {
+            let _ = enemy.step(&level, Input { run, ..NOTHING }).unwrap();
+        }
+        assert_eq!((enemy.on_floor(), enemy.ledge_ahead(&level, Fx::ZERO)), (true, Ok(way > 0)));
     }
     let flying = Character::new(boxed(60, -40, 10, 14), limits(), Feel::DEFAULT);
     assert_eq!(flying.ledge_ahead(&level, fx!(1)), Ok(false));
