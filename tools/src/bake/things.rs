@@ -29,7 +29,7 @@ pub(crate) fn lost(objects: &[LeftOut]) -> Vec<String> {
 pub(crate) const TYPE: &str = "/// An object of the level that is not solid. A point has an area without size.\n\
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]\n\
     pub struct Object {\n    \
-        /// As drawn in Tiled. In LDtk, unique in the project.\n    \
+        /// Unique in the map or the project.\n    \
         pub id: u32,\n    \
         pub class: &'static str,\n    \
         pub name: &'static str,\n    \

@@ -81,6 +81,8 @@ impl Ground {
     }
 }
 
+const FALL: &str = "bodies fall through what is not solid";
+
 type Made<T> = std::result::Result<T, String>;
 
 fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
@@ -122,7 +124,6 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         });
     }
     let new = flags.names.iter().skip(named).map(String::as_str).filter(|name| !options.is_flag(name));
-    const FALL: &str = "bodies fall through what is not solid";
     let near = doubts::near_misses(new.chain(classes)).into_iter();
     doubts.extend(near.map(|(who, what)| Doubt { who, what, why: FALL }));
     let blocks = |kind: &TileKind| super::names::is_solid(kind.shape);

@@ -60,7 +60,7 @@ pub const fn map(tiles: &[u8; 510]) -> Result<tilesat::TileMap<'_, tilesat::Bloc
 /// An object of the level that is not solid. A point has an area without size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
-    /// As drawn in Tiled. In LDtk, unique in the project.
+    /// Unique in the map or the project.
     pub id: u32,
     pub class: &'static str,
     pub name: &'static str,

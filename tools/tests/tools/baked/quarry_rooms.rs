@@ -146,7 +146,7 @@ const fn segments(bytes: &'static [u8]) -> tilesat::SegmentMap<'static> {
 /// An object of the level that is not solid. A point has an area without size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
-    /// As drawn in Tiled. In LDtk, unique in the project.
+    /// Unique in the map or the project.
     pub id: u32,
     pub class: &'static str,
     pub name: &'static str,
