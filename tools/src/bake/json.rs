@@ -97,13 +97,24 @@ impl Baked {
 
     /// The objects that are not solid and are in `OBJECTS`.
     pub fn listed(&self) -> Vec<String> {
-        self.ground.left_out.iter().filter(|object| things::is_listed(object)).map(told).collect()
+        self.ground.left_out.iter().filter(|object| object.is_listed()).map(told).collect()
+    }
+
+    /// What the author has hardly meant: a line each.
+    pub fn warnings(&self) -> Vec<String> {
+        let beyond = self.ground.left_out.iter().filter(|object| object.suspicious).map(|object| {
+            let pixels = |raw: i64| raw.div_euclid(1 << 16);
+            format!("{} at ({}, {}): {}", object.title, pixels(object.at.0), pixels(object.at.1), object.why)
+        });
+        let doubts = self.ground.doubts.iter().map(|doubt| format!("{}: {}", doubt.who, doubt.what));
+        beyond.chain(doubts).collect()
     }
 
     /// Drawings that are in no output.
     pub fn unused(&self) -> Vec<String> {
+        let known: Vec<String> = self.ground.left_out.iter().filter(|o| o.suspicious).map(told).collect();
         let listed = self.listed();
-        let unlisted = self.ignored().into_iter().filter(|line| !listed.contains(line));
+        let unlisted = self.ignored().into_iter().filter(|line| !listed.contains(line) && !known.contains(line));
         unlisted.chain(things::lost(&self.ground.left_out)).collect()
     }
 

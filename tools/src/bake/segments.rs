@@ -3,6 +3,7 @@
 use tilesat::{Fx, Path, PathKind, SegmentMap, SegmentMapError, Vec2};
 
 use crate::fail::{Fail, Result};
+use crate::lint::geometry::{Edge, Meeting, Side, doubled_area, meet};
 use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
 use crate::rules::outline::Outline;
@@ -147,6 +148,29 @@ fn build(paths: &[Path<'_>], cell: Fx, cells: u64) -> std::result::Result<Vec<u8
     Ok(bytes)
 }
 
+/// The reason that an outline has no inside, if the library's message would not help.
+fn flat(outline: &Outline) -> Option<String> {
+    let side = |of: fn(&(i64, i64)) -> i64| {
+        let values = outline.points.iter().map(of);
+        values.clone().min() == values.max()
+    };
+    for (is_flat, name) in [(side(|p| p.0), "width"), (side(|p| p.1), "height")] {
+        if is_flat {
+            return Some(format!("its {name} is 0: give it one, or draw a polyline, which is a wall"));
+        }
+    }
+    if doubled_area(&outline.points) != 0 {
+        return None;
+    }
+    let edge = |((a, b), number)| Edge { a, b, outline: None, number, side: Side::Solid };
+    let edges: Vec<Edge> = outline.edges().zip(0..).map(edge).collect();
+    let crosses = |s: &Edge| edges.iter().any(|t| matches!(meet(s, t), Meeting::Cross(_)));
+    edges
+        .iter()
+        .any(crosses)
+        .then(|| "it crosses itself, and its parts cancel: draw two polygons, or put its corners in order".to_owned())
+}
+
 /// The library counts paths, but the user knows objects.
 fn named(error: &SegmentMapError, outlines: &[Outline]) -> String {
     let (path, point) = match *error {
@@ -159,6 +183,10 @@ fn named(error: &SegmentMapError, outlines: &[Outline]) -> String {
         _ => return format!("the objects: {error}"),
     };
     let Some(outline) = outlines.get(path as usize) else { return error.to_string() };
+    let has_inside = outline.kind.has_area() && outline.points.len() > 2;
+    if let Some(why) = flat(outline).filter(|_| has_inside) {
+        return format!("{}: {why}", outline.title);
+    }
     let place = point.and_then(|point| outline.points.get(point as usize)).map_or(String::new(), |&(x, y)| {
         let pixels = |raw: i64| Fx::from_bits(i32::try_from(raw).unwrap_or(i32::MAX));
         format!(" at ({}, {})", pixels(x), pixels(y))

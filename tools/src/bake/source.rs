@@ -8,6 +8,7 @@ use super::bundle::Bundle;
 use super::level::Level;
 use super::segments::Shapes;
 use super::{Baked, items, names, things};
+use crate::rules::outline::LeftOut;
 
 /// The compiler takes too long to build a map with more segments than this. Such a level includes
 /// bytes.
@@ -122,7 +123,7 @@ fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes)
 }
 
 fn has_objects(level: &Baked) -> bool {
-    level.ground.left_out.iter().any(things::is_listed)
+    level.ground.left_out.iter().any(LeftOut::is_listed)
 }
 
 /// The position of a level, and its segments.

@@ -11,22 +11,13 @@ use crate::model::decimal::Decimal;
 use crate::model::property::Value;
 use crate::rules::outline::LeftOut;
 
-/// Contract C1 of the library: every coordinate stays below 2^29 raw.
-const DOMAIN: i64 = 1 << 29;
-
-/// Whether an object has a place in the level.
-pub(crate) fn is_listed(object: &LeftOut) -> bool {
-    let inside = |p: &(i64, i64)| [p.0, p.1].iter().all(|v| (-DOMAIN + 1..DOMAIN).contains(v));
-    !object.suspicious && object.points.iter().all(inside) && object.area.is_some_and(|area| area.iter().all(inside))
-}
-
 /// The properties of listed objects that no output holds.
 pub(crate) fn lost(objects: &[LeftOut]) -> Vec<String> {
-    let listed = objects.iter().filter(|object| is_listed(object));
+    let listed = objects.iter().filter(|object| object.is_listed());
     let lost = listed.flat_map(|object| {
-        let other = object.properties.0.iter().filter(|(_, value)| *value == Value::Other);
-        other.map(move |(name, _)| {
-            format!("property '{name}' of {}: not a number, a text or true or false", object.title)
+        object.properties.0.iter().filter_map(|(name, value)| match value {
+            Value::Lost(why) => Some(format!("property '{name}' of {}: {why}", object.title)),
+            _ => None,
         })
     });
     let mut lost: Vec<String> = lost.collect();
@@ -38,6 +29,8 @@ pub(crate) fn lost(objects: &[LeftOut]) -> Vec<String> {
 pub(crate) const TYPE: &str = "/// An object of the level that is not solid. A point has an area without size.\n\
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]\n\
     pub struct Object {\n    \
+        /// Unique in the map or the project.\n    \
+        pub id: u32,\n    \
         pub class: &'static str,\n    \
         pub name: &'static str,\n    \
         pub area: tilesat::Aabb,\n    \
@@ -52,7 +45,10 @@ pub(crate) const TYPE: &str = "/// An object of the level that is not solid. A p
         Bool(bool),\n    \
         /// Rounded to nearest. One that 16.16 cannot hold is a text.\n    \
         Number(tilesat::Fx),\n    \
-        Text(&'static str),\n\
+        Text(&'static str),\n    \
+        /// A reference to the object with this id.\n    \
+        Object(u32),\n    \
+        Point(tilesat::Vec2),\n\
     }\n\
     impl Object {\n    \
         /// The value of a property.\n    \
@@ -85,7 +81,7 @@ pub(crate) fn list(objects: &[LeftOut]) -> String {
         .to_owned();
     text += &entries(objects);
     text += "];\n";
-    let listed = objects.iter().filter(|object| is_listed(object));
+    let listed = objects.iter().filter(|object| object.is_listed());
     let named: Vec<&LeftOut> = listed.filter(|object| !object.title.name.trim().is_empty()).collect();
     for (constant, object) in names::objects(named.iter().map(|object| object.title.name.trim())).iter().zip(&named) {
         // Writing to a string cannot fail.
@@ -97,15 +93,18 @@ pub(crate) fn list(objects: &[LeftOut]) -> String {
 /// A line for each object.
 pub(crate) fn entries(objects: &[LeftOut]) -> String {
     let mut text = String::new();
-    for object in objects.iter().filter(|object| is_listed(object)) {
-        let (class, name) = (&object.class, &object.title.name);
-        let points = object.points.iter().map(|(x, y)| format!("tilesat::Vec2::from_raw({x}, {y})"));
+    for object in objects.iter().filter(|object| object.is_listed()) {
+        let (id, class, name) = (object.title.id, &object.class, &object.title.name);
+        let spot = |(x, y): &(i64, i64)| format!("tilesat::Vec2::from_raw({x}, {y})");
+        let points = object.points.iter().map(spot);
         let values =
             object.properties.0.iter().filter_map(|(name, value)| Some(format!("({name:?}, {})", spelt(value)?)));
+        let named = object.named.iter().flat_map(|(name, points)| points.iter().map(move |point| (name, point)));
+        let values = values.chain(named.map(|(name, point)| format!("({name:?}, Value::Point({}))", spot(point))));
         let list = |items: Vec<String>| items.join(", ");
         let _ = writeln!(
             text,
-            "    Object {{ class: {class:?}, name: {name:?}, area: {}, points: &[{}], properties: &[{}] }},",
+            "    Object {{ id: {id}, class: {class:?}, name: {name:?}, area: {}, points: &[{}], properties: &[{}] }},",
             area(object),
             list(points.collect()),
             list(values.collect())
@@ -133,13 +132,15 @@ fn spelt(value: &Value) -> Option<String> {
             None => format!("Value::Text({digits:?})"),
         },
         Value::Text(text) => format!("Value::Text({text:?})"),
-        Value::Other => return None,
+        Value::Object(id) => format!("Value::Object({id})"),
+        Value::Lost(_) => return None,
     })
 }
 
 /// An object in JSON.
 #[derive(Serialize)]
 pub(crate) struct Thing<'a> {
+    id: u32,
     class: &'a str,
     name: &'a str,
     layer: &'a str,
@@ -151,7 +152,7 @@ pub(crate) struct Thing<'a> {
 
 /// The same objects for JSON.
 pub(crate) fn things(objects: &[LeftOut]) -> Vec<Thing<'_>> {
-    objects.iter().filter(|object| is_listed(object)).map(thing).collect()
+    objects.iter().filter(|object| object.is_listed()).map(thing).collect()
 }
 
 fn thing(object: &LeftOut) -> Thing<'_> {
@@ -164,11 +165,17 @@ fn thing(object: &LeftOut) -> Thing<'_> {
             Value::Bool(is) => (*is).into(),
             Value::Number(digits) => serde_json::from_str(digits).unwrap_or_else(|_| digits.as_str().into()),
             Value::Text(text) => text.as_str().into(),
-            Value::Other => continue,
+            Value::Object(id) => (*id).into(),
+            Value::Lost(_) => continue,
         };
         properties.entry(name).or_default().push(value);
     }
+    for (name, points) in &object.named {
+        let points = points.iter().map(|&(x, y)| vec![pixels(x), pixels(y)].into());
+        properties.entry(name).or_default().extend(points);
+    }
     Thing {
+        id: object.title.id,
         class: &object.class,
         name: &object.title.name,
         layer: &object.title.layer,

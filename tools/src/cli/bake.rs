@@ -182,7 +182,6 @@ fn told(baked: &Baked, bundle: &Bundle, lines: &[String], out: &mut dyn Write) {
     list(out, "rule", &rules);
     list(out, "object", &baked.listed());
     list(out, "ignored", &baked.unused());
-    let doubts: Vec<String> = baked.ground.doubts.iter().map(|(who, what)| format!("{who}: {what}")).collect();
-    list(out, "warning", &doubts);
+    list(out, "warning", &baked.warnings());
     list(out, "note", &baked.ground.notes);
 }

@@ -83,7 +83,10 @@ fn crossing(scene: &mut Scene<'_>, edges: [&Edge; 2], who: Vec<Who>, at: Point) 
     } else if kinds.contains(&Kind::Hole) {
         (Error, "a hole in nothing keeps an edge that bodies meet from one side")
     } else {
-        (Warning, "there is no vertex, and the parts within the other cost time without effect")
+        (
+            Warning,
+            "a body may catch where they cross: no corner is there; put one on the other's edge, or draw one polygon",
+        )
     };
     scene.say((severity, "crossing"), who, at, "they cross", why);
 }

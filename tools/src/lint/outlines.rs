@@ -5,7 +5,6 @@ use super::finding::Severity::{Error, Note, Warning};
 use super::finding::{Who, pixels};
 use super::geometry::{Point, doubled_area};
 use super::scene::Scene;
-use crate::bake::things::is_listed;
 use crate::rules::outline::Outline;
 
 pub(super) fn check(scene: &mut Scene<'_>) {
@@ -13,13 +12,13 @@ pub(super) fn check(scene: &mut Scene<'_>) {
         let who = Who { id: left_out.title.id, title: left_out.title.to_string().into(), edge: None };
         let severity = if left_out.suspicious { Warning } else { Note };
         let then =
-            if is_listed(left_out) { "not solid: bake writes it to OBJECTS" } else { "nothing collides with it" };
+            if left_out.is_listed() { "not solid: bake writes it to OBJECTS" } else { "nothing collides with it" };
         scene.say((severity, "left-out"), vec![who], left_out.at, left_out.why.clone(), then);
     }
-    for (who, what) in &scene.drawing.doubts {
-        let who = Who { id: 0, title: who.as_str().into(), edge: None };
+    for doubt in &scene.drawing.doubts {
+        let who = Who { id: 0, title: doubt.who.as_str().into(), edge: None };
         let at = (scene.drawing.origin.0.into(), scene.drawing.origin.1.into());
-        scene.say((Warning, "doubtful"), vec![who], at, what.clone(), "bodies fall through what is not solid");
+        scene.say((Warning, "doubtful"), vec![who], at, doubt.what.clone(), doubt.why);
     }
     for i in 0..scene.drawing.outlines.len() {
         let outline = &scene.drawing.outlines[i];
@@ -77,7 +76,7 @@ fn lengths(scene: &mut Scene<'_>, i: usize, outline: &Outline) {
             scene.say((Error, "zero-length"), who, a, "no length", "an edge without a direction has no normal");
         } else if square < small * small {
             let what = format!("{} long", pixels(square.isqrt() as i64));
-            scene.say((Warning, "sliver"), who, a, what, "every query near it pays for an invisible face");
+            scene.say((Warning, "sliver"), who, a, what, "a body may catch on it: move its two corners onto one point");
         }
     }
 }

@@ -51,6 +51,9 @@ pub struct Place {
     pub y: i32,
     pub width: u32,
     pub height: u32,
+    /// The number of its world in the project, and its depth there. Levels of other planes are no
+    /// neighbours.
+    pub plane: (usize, i32),
 }
 
 /// A layer.
@@ -64,6 +67,9 @@ pub struct Layer {
     pub groups: Vec<String>,
     /// The offset of the layer and of the groups around it, in pixels.
     pub offset: Spot,
+    /// Whether the editor does not show it, or moves it against the other layers.
+    pub hidden: bool,
+    pub parallax: bool,
     pub content: Content,
 }
 
@@ -104,7 +110,9 @@ impl Layer {
     /// A layer of a format that knows neither classes nor groups.
     pub fn plain(name: &str, offset: (i64, i64), content: Content) -> Self {
         let offset = (Decimal::whole(offset.0), Decimal::whole(offset.1));
-        Self { name: name.to_owned(), class: String::new(), marks: Vec::new(), groups: Vec::new(), offset, content }
+        let (name, class) = (name.to_owned(), String::new());
+        let (marks, groups) = (Vec::new(), Vec::new());
+        Self { name, class, marks, groups, offset, hidden: false, parallax: false, content }
     }
 
     /// The tiles, if it has any.

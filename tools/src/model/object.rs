@@ -18,23 +18,23 @@ pub enum Form {
     Polyline(Vec<Spot>),
     Point,
     Text,
-    /// A tileset's picture, drawn above the object's own point.
-    Tile,
-    /// Made from a template that cannot be read, and the reason.
-    Missing(String),
+    /// A tileset's picture. The object's own point is this many halves of its size right of its
+    /// left side and below its top.
+    Tile(u32, u32),
 }
 
 /// An object, with the values of its template.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Object {
+    /// Unique in a map of Tiled, and in a project of `LDtk`.
     pub id: u32,
     pub name: String,
     pub class: String,
     pub properties: Properties,
     /// Values for the game, which decide nothing here: the fields of an `LDtk` entity.
     pub fields: Properties,
-    /// The points of such a field, in pixels of the layer.
-    pub path: Vec<Spot>,
+    /// The points of each field that has some, in pixels of the layer.
+    pub paths: Vec<(String, Vec<Spot>)>,
     pub at: Spot,
     pub size: Spot,
     /// Degrees, clockwise if y grows downward.

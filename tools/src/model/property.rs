@@ -7,9 +7,15 @@ pub enum Value {
     /// As in the file.
     Number(String),
     Text(String),
-    /// A list, a class of properties, or a reference to an object.
-    Other,
+    /// A reference to the object with this id.
+    Object(u32),
+    /// One that no output can hold, and the reason.
+    Lost(String),
 }
+
+/// The reasons.
+pub(crate) const CLASS: &str = "a class: make its members properties of the object";
+pub(crate) const LIST: &str = "a list: make its values properties of the object";
 
 impl From<&serde_json::Value> for Value {
     fn from(value: &serde_json::Value) -> Self {
@@ -17,7 +23,9 @@ impl From<&serde_json::Value> for Value {
             serde_json::Value::Bool(is) => Self::Bool(*is),
             serde_json::Value::Number(number) => Self::Number(number.to_string()),
             serde_json::Value::String(text) => Self::Text(text.clone()),
-            _ => Self::Other,
+            serde_json::Value::Array(_) => Self::Lost(LIST.to_owned()),
+            serde_json::Value::Object(_) => Self::Lost(CLASS.to_owned()),
+            serde_json::Value::Null => Self::Lost("it has no value".to_owned()),
         }
     }
 }
@@ -32,7 +40,7 @@ impl Properties {
         let is_true = |value: &Value| match value {
             Value::Bool(is) => *is,
             Value::Text(text) => text.eq_ignore_ascii_case("true"),
-            Value::Number(_) | Value::Other => false,
+            Value::Number(_) | Value::Object(_) | Value::Lost(_) => false,
         };
         self.0.iter().filter(move |(_, value)| is_true(value)).map(|(name, _)| name.as_str())
     }
@@ -50,7 +58,7 @@ impl Properties {
         found.and_then(|(_, value)| match value {
             Value::Bool(is) => Some(is.to_string()),
             Value::Number(text) | Value::Text(text) => Some(text.clone()),
-            Value::Other => None,
+            Value::Object(_) | Value::Lost(_) => None,
         })
     }
 }

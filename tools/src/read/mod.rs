@@ -6,6 +6,7 @@ mod ldtk;
 mod tiled;
 mod xml;
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use crate::fail::{Fail, Result};
@@ -52,8 +53,22 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>> {
 
 fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Result<Vec<Map>, String> {
     let bytes = files.bytes(path)?;
-    if json::is_json(&bytes) && ldtk::is_project(&bytes) {
-        return ldtk::read(&bytes, level, path, files);
+    let end = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
+    match &*end {
+        "world" => return Err("a world of Tiled: give its maps, one by one".to_owned()),
+        "ldtkl" => return Err("one level of an LDtk project: give the project, which ends in .ldtk".to_owned()),
+        _ => {}
+    }
+    if json::is_json(&bytes) && end != "tmj" {
+        match ldtk::is_project(&bytes) {
+            true if end == "ldtk" || ldtk::has_definitions(&bytes) => return ldtk::read(&bytes, level, path, files),
+            true => {
+                return Err(
+                    "neither a map of Tiled (it has no orientation) nor a project of LDtk (it has no defs)".to_owned()
+                );
+            }
+            false => {}
+        }
     }
     let map = tiled::read(bytes, path, files)?;
     match level {

@@ -61,6 +61,8 @@ pub struct Whole {
 #[derive(Debug, Clone)]
 pub struct Baked {
     pub name: String,
+    /// The number of its world in a project, and its depth there.
+    pub plane: (usize, i32),
     /// Its first cell in the world.
     pub first: (i32, i32),
     pub size: (u16, u16),
@@ -99,6 +101,8 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
             other.name, other.cell
         )));
     }
+    // The rooms into which a body can cross are neighbours in the table.
+    parts.sort_by_key(|part| part.plane);
     let side = Fx::from_num(cell);
     let apron = Room::<AllShapes>::apron_for(side, cut.body.unwrap_or(side), cut.motion.unwrap_or(side));
     let (mut rooms, whole) = match (&parts[..], cut.room) {
@@ -109,7 +113,10 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
         ([part], None) if !part.placed => {
             return Err(Fail::new("the size of a room is missing: add --room WxH, in cells"));
         }
-        (parts, _) => (parts.iter().map(|part| part.alone(parts, apron)).collect::<Result<_>>()?, None),
+        (parts, _) => {
+            Part::apart(parts)?;
+            (parts.iter().map(|part| part.alone(parts, apron)).collect::<Result<_>>()?, None)
+        }
     };
     let unused = objects::share(&parts, &mut rooms, cell);
     let mut world = World { cell, apron, kinds: ids.kinds().to_vec(), flags: Vec::new(), rooms, whole, unused };

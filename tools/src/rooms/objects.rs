@@ -1,8 +1,10 @@
 //! The objects for the game, each in one room.
 
+use std::collections::HashSet;
+
 use super::Baked;
 use super::part::Part;
-use crate::bake::things::{is_listed, lost};
+use crate::bake::things::lost;
 use crate::rules::outline::LeftOut;
 
 /// Gives each object to the room that holds its middle, in coordinates of the room. Where levels
@@ -12,7 +14,9 @@ pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<Strin
     let mut unused = Vec::new();
     for part in parts {
         for object in &part.objects {
-            let holds = |room: &Baked| object.area.is_some_and(|area| holds_middle(room, area, side));
+            let holds = |room: &Baked| {
+                room.plane == part.plane && object.area.is_some_and(|area| holds_middle(room, area, side))
+            };
             let own = rooms.iter().position(|room| room.name == part.name && holds(room));
             let found = own.or_else(|| rooms.iter().position(holds)).map(|index| &mut rooms[index]);
             let moved = found.map(|room| {
@@ -21,10 +25,18 @@ pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<Strin
                 (room, object)
             });
             match moved {
-                Some((room, object)) if is_listed(&object) => room.objects.push(object),
-                _ => unused.push(format!("{}: {}", object.title, object.why)),
+                Some((room, object)) if object.is_listed() => room.objects.push(object),
+                Some((room, _)) => {
+                    let why = format!("it reaches outside of the domain of room '{}': make it smaller", room.name);
+                    unused.push(format!("{}: {why}", object.title));
+                }
+                None => unused.push(format!("{}: no room holds its middle", object.title)),
             }
         }
+    }
+    let listed: HashSet<u32> = rooms.iter().flat_map(|room| &room.objects).map(|object| object.title.id).collect();
+    for object in rooms.iter_mut().flat_map(|room| &mut room.objects) {
+        object.settle(|id| listed.contains(&id));
     }
     unused.extend(rooms.iter().flat_map(|room| lost(&room.objects)));
     unused

@@ -22,6 +22,8 @@ pub(super) struct Part {
     pub name: String,
     /// In pixels.
     pub cell: u16,
+    /// Only levels of one plane are neighbours.
+    pub plane: (usize, i32),
     /// Whether it has a position among others.
     pub placed: bool,
     /// The room, in cells of the world.
@@ -64,6 +66,7 @@ impl Part {
         Ok(Self {
             name: ground.name,
             cell: ground.tile,
+            plane: map.place.map_or((0, 0), |place| place.plane),
             placed: place.is_some(),
             room: place.unwrap_or((0, 0, size.0.max(extent.0), size.1.max(extent.1))),
             covered,
@@ -105,6 +108,7 @@ impl Part {
             for (column, x) in (0..columns).step_by(step(width)).enumerate() {
                 rooms.push(Baked {
                     name: format!("{column} {row}"),
+                    plane: self.plane,
                     // A world has at most 65535 cells per side.
                     first: (x as i32, y as i32),
                     size: ((columns - x).min(width.into()) as u16, (rows - y).min(height.into()) as u16),
@@ -117,7 +121,31 @@ impl Part {
         Ok(rooms)
     }
 
-    /// Its room, with an apron of everyone's tiles.
+    /// The cells that two levels of one plane have in common, if they overlap.
+    fn common(&self, other: &Self) -> Option<(i64, i64)> {
+        let (a, b) = (self.room, other.room);
+        let length = |(from, to): (i64, i64)| to - from;
+        let size = (length(common((a.0, a.2), (b.0, b.2))), length(common((a.1, a.3), (b.1, b.3))));
+        (self.placed && other.placed && self.plane == other.plane && size.0 > 0 && size.1 > 0).then_some(size)
+    }
+
+    /// Refuses levels over each other: a body there would be in two rooms.
+    pub(super) fn apart(all: &[Self]) -> Result<()> {
+        for (i, part) in all.iter().enumerate() {
+            for other in &all[..i] {
+                if let Some((width, height)) = part.common(other) {
+                    return Err(Fail::new(format!(
+                        "level '{}' and level '{}' share {width}x{height} cells: move one of them, give it another \
+                         depth (worldDepth), or skip it with --ignore-level",
+                        other.name, part.name
+                    )));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Its room, with an apron of its neighbours' tiles.
     pub(super) fn alone(&self, all: &[Self], apron: u16) -> Result<Baked> {
         let of_level = |why: &str| Fail::new(format!("level '{}' {why}", self.name));
         if !self.placed {
@@ -132,8 +160,7 @@ impl Part {
         }
         let window = (x - apron, y - apron, width + 2 * apron, height + 2 * apron);
         let mut tiles: Vec<u8> = vec![0; (window.2 * window.3) as usize];
-        // Its own tiles come last: if levels overlap, each keeps its own.
-        for part in all.iter().filter(|part| !std::ptr::eq(*part, self)).chain([self]) {
+        for part in all.iter().filter(|part| part.plane == self.plane) {
             part.copy_into(&mut tiles, window);
         }
         let coordinate = |cells: i64| i32::try_from(cells).map_err(|_| of_level("lies too far away"));
@@ -142,6 +169,7 @@ impl Part {
         };
         Ok(Baked {
             name: self.name.clone(),
+            plane: self.plane,
             first: (coordinate(x)?, coordinate(y)?),
             size: (count(width)?, count(height)?),
             tiles,

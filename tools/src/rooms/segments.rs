@@ -21,7 +21,7 @@ pub(super) fn of(parts: &[Part], room: &Baked, cell: u16, apron: u16, flags: &mu
     let margin = i64::from(apron) * side;
     let end = (i64::from(room.size.0) * side + margin, i64::from(room.size.1) * side + margin);
     let window = [(-1, 0, -margin), (1, 0, end.0), (0, -1, -margin), (0, 1, end.1)];
-    let outlines = parts.iter().flat_map(|part| &part.outlines);
+    let outlines = parts.iter().filter(|part| part.plane == room.plane).flat_map(|part| &part.outlines);
     let near = outlines.filter_map(|outline| near(moved(outline, first), window.map(Beyond::from))).collect::<Vec<_>>();
     if near.is_empty() {
         return Ok(None);

@@ -83,6 +83,7 @@ fn table(text: &mut String, world: &World, set: &str) {
          }}",
         world.cell
     );
+    near(text, world);
     for (index, (room, module)) in world.rooms.iter().zip(&modules).enumerate() {
         let title: String = room.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
         let row = usize::from(room.size.0) + 2 * usize::from(world.apron);
@@ -96,15 +97,36 @@ fn table(text: &mut String, world: &World, set: &str) {
     }
 }
 
+/// The neighbours of each room, if there are several planes. They are sorted by plane.
+fn near(text: &mut String, world: &World) {
+    let mut end = 0;
+    let mut arms = Vec::new();
+    for plane in world.rooms.chunk_by(|a, b| a.plane == b.plane) {
+        let start = end;
+        end += plane.len();
+        arms.push((start, end));
+    }
+    let Some((last, rest)) = arms.split_last().filter(|(_, rest)| !rest.is_empty()) else { return };
+    text.push_str(
+        "/// The rooms of the same depth as this one: `next_of` takes `&ROOMS[near(room)]`.\n\
+         pub const fn near(room: usize) -> core::ops::Range<usize> {\n    match room {\n",
+    );
+    for (start, end) in rest {
+        let these = if end - start == 1 { start.to_string() } else { format!("{start}..={}", end - 1) };
+        let _ = writeln!(text, "        {these} => {start}..{end},");
+    }
+    let _ = writeln!(text, "        _ => {}..{},\n    }}\n}}", last.0, last.1);
+}
+
 /// A map of segments for each room that has some.
 fn segments(text: &mut String, world: &World) {
     if world.rooms.iter().all(|room| room.segments.is_none()) {
         return;
     }
-    let count = world.rooms.len();
+    let (count, order) = (world.rooms.len(), order(world));
     let _ = writeln!(
         text,
-        "\n/// The polygons of each room, in the order of the rooms, row after row.\n\
+        "\n/// The polygons of each room, in the order of the rooms{order}.\n\
          #[allow(long_running_const_eval, reason = \"it ends, because the level is finite\")]\n\
          #[rustfmt::skip]\n\
          pub static SEGMENTS: [Option<tilesat::SegmentMap<'static>>; {count}] = ["
@@ -127,6 +149,11 @@ fn segments(text: &mut String, world: &World) {
     );
 }
 
+/// Windows have an order of their own. Levels are in that of the project.
+fn order(world: &World) -> &'static str {
+    if world.whole.is_some() { ", row after row" } else { "" }
+}
+
 /// The objects of each room, if there are any.
 fn objects(text: &mut String, world: &World) {
     if world.rooms.iter().all(|room| room.objects.is_empty()) {
@@ -135,10 +162,11 @@ fn objects(text: &mut String, world: &World) {
     *text += things::TYPE;
     let _ = writeln!(
         text,
-        "/// The objects of each room that are not solid, in coordinates of the room. Rooms are in\n\
-         /// order, row after row.\n\
+        "/// The objects of each room that are not solid, in coordinates of the room. They\n\
+         /// are in the order of the rooms{}.\n\
          #[rustfmt::skip]\n\
          pub static OBJECTS: [&[Object]; {}] = [",
+        order(world),
         world.rooms.len()
     );
     for room in &world.rooms {

@@ -24,10 +24,12 @@ pub(super) fn corners(object: &Object) -> Option<Corners> {
     let ((w, h), zero) = (object.size, Decimal::ZERO);
     let box_of = |top: Decimal, bottom: Decimal| vec![(zero, top), (w, top), (w, bottom), (zero, bottom)];
     let (points, closed, error) = match &object.form {
-        Form::Point | Form::Text | Form::Missing(_) => return None,
+        Form::Point | Form::Text => return None,
         Form::Rectangle => (box_of(zero, h), true, 0),
-        // In Tiled, the lower left corner of a tile is at the object's point.
-        Form::Tile => (box_of(-h, zero), true, 0),
+        Form::Tile(across, down) => {
+            let (x, y) = (-w.scaled(*across, 2), -h.scaled(*down, 2));
+            (box_of(zero, h).into_iter().map(|p| (p.0 + x, p.1 + y)).collect(), true, 0)
+        }
         Form::Ellipse => round(object.size, object.size),
         Form::Capsule => {
             let side = w.min(h);

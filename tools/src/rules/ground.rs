@@ -13,6 +13,8 @@
 //!    ground, terrain, platform, block or obstacle. For values of `LDtk` the words are the same,
 //!    and dirt, stone, rock, brick and earth.
 
+use std::collections::HashSet;
+
 use tilesat::{TileKind, TileShape};
 
 use super::cells::{self, Cells, Sheet};
@@ -52,11 +54,20 @@ pub struct Ground {
     pub ignored: Vec<String>,
     /// Further notes for the user.
     pub notes: Vec<String>,
-    /// What is hardly meant: each a sentence, and who is concerned.
-    pub doubts: Vec<(String, String)>,
+    /// What is hardly meant.
+    pub doubts: Vec<Doubt>,
     pub place: Option<Place>,
     /// The offset from a point of the map to the level, in pixels, after scaling.
     pub shift: (i32, i32),
+}
+
+/// A drawing whose effect its author has hardly meant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Doubt {
+    pub who: String,
+    pub what: String,
+    /// Why it matters.
+    pub why: &'static str,
 }
 
 impl Ground {
@@ -69,6 +80,8 @@ impl Ground {
         make(map, options, flags).map_err(Fail::new)
     }
 }
+
+const FALL: &str = "bodies fall through what is not solid";
 
 type Made<T> = std::result::Result<T, String>;
 
@@ -93,9 +106,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         (outlines, left_out) = layers.objects(true)?;
     }
     let cells = cells::merge(&sheets, flags)?;
-    for layer in &cells.lost {
-        layers.notes.push(format!("the flags of layer '{layer}' are skipped: it lies between the cells of the others"));
-    }
+    layers.unseen(&sheets, &outlines);
     let of_tiles = paths::outlines(&cells, unit, flags, &mut layers.notes);
     outlines.splice(0..0, of_tiles);
     if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
@@ -103,11 +114,22 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         layers.notes.push("it is empty: nothing is drawn".to_owned());
     }
     let classes = left_out.iter().map(|object| object.class.as_str());
+    let mut doubts: Vec<Doubt> = Vec::new();
+    for layer in &cells.lost {
+        let what = "its flags are in no output: its cells are not those of the solid; give both layers one grid";
+        doubts.push(Doubt {
+            who: format!("layer '{layer}'"),
+            what: what.to_owned(),
+            why: "a flag belongs to a cell of the solid",
+        });
+    }
     let new = flags.names.iter().skip(named).map(String::as_str).filter(|name| !options.is_flag(name));
-    let mut doubts = doubts::near_misses(new.chain(classes));
+    let near = doubts::near_misses(new.chain(classes)).into_iter();
+    doubts.extend(near.map(|(who, what)| Doubt { who, what, why: FALL }));
     let blocks = |kind: &TileKind| super::names::is_solid(kind.shape);
     if outlines.is_empty() && !cells.kinds.is_empty() && !cells.kinds.iter().any(blocks) {
-        doubts.push(("the level".to_owned(), "it has no solid tile and no solid object".to_owned()));
+        let what = "it has no solid tile and no solid object".to_owned();
+        doubts.push(Doubt { who: "the level".to_owned(), what, why: FALL });
     }
     let Layers { ledger, ignored, notes, .. } = layers;
     let solid = names(&sheets);
@@ -116,11 +138,38 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     ground.left_out = left_out;
     let shift = (i64::from(ground.shift.0) << 16, i64::from(ground.shift.1) << 16);
     ground.left_out.iter_mut().for_each(|object| object.shift(shift));
+    if !options.rooms {
+        beyond(&mut ground.left_out);
+        references(&mut ground.left_out, map);
+    }
     ground.doubts = doubts;
     ground.applied = ledger.0;
     ground.ignored = ignored;
     ground.notes.splice(0..0, notes);
     Ok(ground)
+}
+
+/// Marks the objects that are outside of the domain. A solid there is refused.
+fn beyond(objects: &mut [LeftOut]) {
+    for object in objects.iter_mut().filter(|object| !object.is_inside()) {
+        "it is outside of the domain: coordinates stay below 8192 pixels; move it, or --scale makes everything smaller"
+            .clone_into(&mut object.why);
+        object.suspicious = true;
+    }
+}
+
+/// Drops references to objects that are in no output. Those to other levels of a project stay.
+fn references(objects: &mut [LeftOut], map: &Map) {
+    let listed = objects.iter().filter(|object| object.is_listed()).map(|object| object.title.id);
+    let listed: HashSet<u32> = listed.collect();
+    let all = map.layers.iter().filter_map(|layer| match &layer.content {
+        Content::Objects(objects) => Some(objects),
+        _ => None,
+    });
+    let own: HashSet<u32> = all.flatten().map(|object| object.id).collect();
+    for object in objects {
+        object.settle(|id| listed.contains(&id) || map.values && !own.contains(&id));
+    }
 }
 
 /// The layers whose tiles are solid. If there are none, the first one.

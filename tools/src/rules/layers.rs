@@ -139,6 +139,30 @@ impl<'a> Layers<'a> {
         }
     }
 
+    /// Notes the solid layers that the editor does not show as they are.
+    pub(super) fn unseen(&mut self, sheets: &[Sheet<'_>], outlines: &[Outline]) {
+        let solid = |piece: &Piece| *piece != Piece::Shape(TileShape::Empty);
+        for layer in &self.all {
+            let tiles =
+                sheets.iter().any(|sheet| std::ptr::eq(sheet.layer, *layer) && sheet.pieces.values().any(solid));
+            let objects = layer.tiles().is_none() && outlines.iter().any(|outline| outline.title.layer == layer.name);
+            if !tiles && !objects {
+                continue;
+            }
+            let name = &layer.name;
+            if layer.hidden {
+                self.notes.push(format!(
+                    "layer '{name}' is hidden, and solid all the same; --ignore-layer '{name}' skips it"
+                ));
+            }
+            if layer.parallax {
+                self.notes.push(format!(
+                    "layer '{name}' scrolls with a parallax factor, but its solid stays where it is drawn; --ignore-layer '{name}' skips it"
+                ));
+            }
+        }
+    }
+
     fn guessed(&mut self, layer: &str, option: &str) {
         self.notes.push(format!(
             "GUESS: nothing marks solid tiles, so layer '{layer}' is solid because of its name; {option} confirms it, --ignore-layer '{layer}' refuses it"

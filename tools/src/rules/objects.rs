@@ -51,10 +51,9 @@ pub(super) fn outline(
     let raw = |(x, y): (Decimal, Decimal)| (unit.raw(x + layer.offset.0).0, unit.raw(y + layer.offset.1).0);
     let at = raw(object.at);
     let all_corners = form::corners(object);
-    let around = match (&object.form, &all_corners) {
-        (Form::Missing(_), _) => Vec::new(),
-        (_, Some(corners)) => corners.points.clone(),
-        (_, None) => vec![object.at, (object.at.0 + object.size.0, object.at.1 + object.size.1)],
+    let around = match &all_corners {
+        Some(corners) => corners.points.clone(),
+        None => vec![object.at, (object.at.0 + object.size.0, object.at.1 + object.size.1)],
     };
     let around: Vec<(i64, i64)> = around.into_iter().map(raw).collect();
     let ends = |along: fn(&(i64, i64)) -> i64| {
@@ -62,32 +61,35 @@ pub(super) fn outline(
         values().min().zip(values().max())
     };
     let area = ends(|p| p.0).zip(ends(|p| p.1)).map(|((x, right), (y, bottom))| [(x, y), (right, bottom)]);
+    let named = object.paths.iter().map(|(name, path)| (name.clone(), path.iter().copied().map(raw).collect()));
+    let named: Vec<(String, Vec<(i64, i64)>)> = named.collect();
     let points: Vec<(i64, i64)> = match &object.form {
         Form::Polygon(_) | Form::Polyline(_) => around,
-        _ => object.path.iter().copied().map(raw).collect(),
+        _ => named.first().map_or_else(Vec::new, |(_, path)| path.clone()),
     };
-    let left_out = |why: String, suspicious| {
+    let left_out = |why: String| {
         let class = if object.class.is_empty() { &layer.class } else { &object.class }.clone();
         let fields = object.properties.0.iter().chain(&object.fields.0).cloned();
-        let (properties, title, points) = (Properties(fields.collect()), title.clone(), points.clone());
-        Ok(Err(LeftOut { title, class, at, area, points, properties, why, suspicious }))
+        let properties = Properties(fields.collect());
+        let (title, points, named) = (title.clone(), points.clone(), named.clone());
+        Ok(Err(LeftOut { title, class, at, area, points, named, properties, why, suspicious: false }))
     };
     let Some(corners) = all_corners else {
-        return match &object.form {
-            Form::Missing(why) => left_out(why.clone(), true),
-            Form::Text => left_out("a text".to_owned(), false),
-            _ => left_out("a point".to_owned(), false),
-        };
+        return left_out(if object.form == Form::Text { "a text" } else { "a point" }.to_owned());
     };
     if matches!(object.form, Form::Rectangle | Form::Ellipse | Form::Capsule)
         && object.size == (Decimal::ZERO, Decimal::ZERO)
     {
-        return left_out("it has no size".to_owned(), true);
+        // Editors draw it if the user clicks instead of dragging.
+        return left_out("it has no size: a point".to_owned());
     }
+    let is_tile = matches!(object.form, Form::Tile(..));
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
     let kind = match kind(object, says, options)? {
-        Some(kind) if object.form != Form::Tile || !flat => kind,
-        _ if object.form == Form::Tile => return left_out("a tile as an object".to_owned(), false),
+        // A tile is solid as a whole.
+        Some(Kind::Wall) if is_tile => Kind::Solid,
+        Some(kind) if !is_tile || !flat => kind,
+        _ if is_tile => return left_out("a tile as an object".to_owned()),
         _ => {
             let class = if object.class.is_empty() { &layer.class } else { &object.class };
             let why = if class.is_empty() {
@@ -95,9 +97,15 @@ pub(super) fn outline(
             } else {
                 format!("class '{class}' is for the game")
             };
-            return left_out(why, false);
+            return left_out(why);
         }
     };
+    let mut corners = corners;
+    if is_tile && kind == Kind::OneWay {
+        // Bodies stand on top of it, as on a tile of the level.
+        corners.points.truncate(2);
+        corners.closed = false;
+    }
     let mut outline = Outline {
         title,
         kind,

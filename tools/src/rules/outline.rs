@@ -4,7 +4,10 @@
 use std::fmt;
 
 use super::kind::Kind;
-use crate::model::property::Properties;
+use crate::model::property::{Properties, Value};
+
+/// Contract C1 of the library: every coordinate stays below 2^29 raw.
+const DOMAIN: i64 = 1 << 29;
 
 /// The name of an object.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,8 +40,32 @@ impl fmt::Display for Title {
 impl LeftOut {
     /// Moves it, by raw units.
     pub(crate) fn shift(&mut self, by: (i64, i64)) {
-        for point in self.area.iter_mut().flatten().chain(&mut self.points) {
+        let named = self.named.iter_mut().flat_map(|(_, points)| points);
+        for point in self.area.iter_mut().flatten().chain(&mut self.points).chain(named) {
             *point = (point.0 + by.0, point.1 + by.1);
+        }
+    }
+
+    /// Whether all of it is in the library's domain.
+    pub(crate) fn is_inside(&self) -> bool {
+        let inside = |p: &(i64, i64)| [p.0, p.1].iter().all(|v| (-DOMAIN + 1..DOMAIN).contains(v));
+        let named = self.named.iter().flat_map(|(_, points)| points);
+        self.area.iter().flatten().chain(&self.points).chain(named).all(inside)
+    }
+
+    /// Whether the output has an entry for it.
+    pub(crate) fn is_listed(&self) -> bool {
+        !self.suspicious && self.area.is_some() && self.is_inside()
+    }
+
+    /// Drops its references, except those that lead to an entry.
+    pub(crate) fn settle(&mut self, leads: impl Fn(u32) -> bool) {
+        for (_, value) in &mut self.properties.0 {
+            if let Value::Object(id) = *value {
+                if !leads(id) {
+                    *value = Value::Lost(format!("it refers to object {id}, which is not in OBJECTS"));
+                }
+            }
         }
     }
 }
@@ -78,11 +105,13 @@ pub struct LeftOut {
     /// The box around it in the level, raw: its smallest and its largest corner. `None` if its form
     /// is unknown.
     pub area: Option<[(i64, i64); 2]>,
-    /// The points of a polygon, of a polyline or of a field, raw.
+    /// The points of a polygon, of a polyline or of the first field that has some, raw.
     pub points: Vec<(i64, i64)>,
+    /// The points of all fields that have some, raw.
+    pub named: Vec<(String, Vec<(i64, i64)>)>,
     /// Its properties and fields.
     pub properties: Properties,
     pub why: String,
-    /// Whether its author may have meant it to be solid.
+    /// Whether its author has surely meant it to be in the level.
     pub suspicious: bool,
 }

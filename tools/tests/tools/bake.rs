@@ -203,7 +203,7 @@ fn refused_objects() {
     let cases = [
         (object("0,0 9,0 9,0 0,9"), "object 7 'hut' of layer 'L' at (9, 0): path 1: point 1 is the same as the next"),
         (object("0,0 9,0"), "object 7 'hut' of layer 'L': path 1 has 2 points"),
-        (object("0,0 9,0 18,0"), "object 7 'hut' of layer 'L': path 1 is a polygon without area"),
+        (object("0,0 9,0 18,0"), "object 7 'hut' of layer 'L': its height is 0: give it one, or draw a polyline"),
         (object("0,0 8192,0 0,8"), "object 7 'hut' of layer 'L' at (8192, 0): path 1, point 1"),
         (object("0,0 99999,0 0,8"), "object 7 'hut' of layer 'L': point 1 is beyond the domain"),
         (

@@ -10,6 +10,7 @@ mod build;
 mod command;
 mod corpus;
 mod damaged;
+mod drawn;
 mod hostile;
 mod level;
 mod limits;

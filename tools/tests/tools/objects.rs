@@ -134,11 +134,15 @@ fn objects_for_the_game() {
     let lift = area(48 * unit, 64 * unit + unit / 2, 80 * unit, 72 * unit + unit / 2);
     let spawn = area(20 * unit, 30 * unit, 20 * unit, 30 * unit);
     for line in [
-        format!("    Object {{ class: \"Spawn\", name: \"spawn\", area: {spawn}, points: &[], properties: &[] }},"),
-        format!("    Object {{ class: \"Lift\", name: \"first lift\", area: {lift}, points: &[], properties: &[] }},"),
+        format!(
+            "    Object {{ id: 1, class: \"Spawn\", name: \"spawn\", area: {spawn}, points: &[], properties: &[] }},"
+        ),
+        format!(
+            "    Object {{ id: 2, class: \"Lift\", name: \"first lift\", area: {lift}, points: &[], properties: &[] }},"
+        ),
         // A quarter turn around its corner.
         format!(
-            "    Object {{ class: \"Enemy\", name: \"\", area: {}, points: &[], properties: &[] }},",
+            "    Object {{ id: 3, class: \"Enemy\", name: \"\", area: {}, points: &[], properties: &[] }},",
             area(2 * unit, 60 * unit, 10 * unit, 64 * unit)
         ),
         format!("pub const OBJECT_SPAWN: tilesat::Aabb = {spawn};"),
@@ -165,12 +169,12 @@ fn properties_and_points() {
     let point = |x: i32, y: i32| format!("tilesat::Vec2::from_raw({}, {})", x << 15, y << 15);
     let way = format!("points: &[{}, {}, {}], properties: &[]", point(16, 12), point(16, 3), point(22, 3));
     // The nearest number of 16.16 is 6554 / 65536. 40000 is beyond them.
-    let values = r#"points: &[], properties: &[("speed", Value::Number(tilesat::Fx::lit("0.1"))), ("far", Value::Text("40000")), ("loops", Value::Bool(false)), ("say \"", Value::Text("a\\b"))]"#;
+    // What it refers to is in the output.
+    let values = r#"points: &[], properties: &[("speed", Value::Number(tilesat::Fx::lit("0.1"))), ("far", Value::Text("40000")), ("loops", Value::Bool(false)), ("say \"", Value::Text("a\\b")), ("next", Value::Object(1))]"#;
     for part in [&way, values] {
         assert!(source.contains(part), "{part}\n{source}");
     }
-    let unused = bundle.levels[0].unused();
-    assert_eq!(unused, ["property 'next' of object 2 of layer 'L': not a number, a text or true or false"]);
+    assert!(bundle.levels[0].unused().is_empty());
 }
 
 /// Fields of an entity. They are no tags: a field that is called Solid makes nothing solid.
@@ -194,14 +198,17 @@ fn fields_of_entities() {
     let source = bundle.source();
     let point = |x: i32, y: i32| format!("tilesat::Vec2::from_raw({}, {})", x << 16, y << 16);
     let line = format!(
-        r#"points: &[{}, {}], properties: &[("Angry", Value::Bool(true)), ("Solid", Value::Bool(true)), ("kind", Value::Text("slow")), ("loot", Value::Number(tilesat::Fx::lit("3"))), ("loot", Value::Number(tilesat::Fx::lit("-4")))]"#,
+        r#"points: &[{}, {}], properties: &[("Angry", Value::Bool(true)), ("Solid", Value::Bool(true)), ("kind", Value::Text("slow")), ("loot", Value::Number(tilesat::Fx::lit("3"))), ("loot", Value::Number(tilesat::Fx::lit("-4"))), ("way", Value::Point({})), ("way", Value::Point({})), ("home", Value::Point({}))]"#,
         point(24, 8),
-        point(-8, 40)
+        point(-8, 40),
+        point(24, 8),
+        point(-8, 40),
+        point(8, 8)
     );
     assert!(source.contains(&line), "{line}\n{source}");
     let unused = bundle.levels[0].unused();
-    let why = "not a number, a text or true or false";
-    assert_eq!(unused, ["door", "home"].map(|name| format!("property '{name}' of object 1 'Mob' of layer 'E': {why}")));
+    let why = "it refers to an entity that is in no level of the input";
+    assert_eq!(unused, [format!("property 'door' of object 1 'Mob' of layer 'E': {why}")]);
 }
 
 /// A slip of the pen makes a flag of a floor: it is said.
@@ -215,6 +222,6 @@ fn names_that_are_nearly_a_rule() {
         let options = Options { flags: flags.iter().map(|&flag| flag.to_owned()).collect(), ..Options::default() };
         Ground::of(&levels.maps[0], &options, &mut Flags::default()).unwrap().doubts
     };
-    assert!(doubts("Sollid", &[]).iter().any(|(who, what)| who.contains("Sollid") && what.contains("'solid'")));
+    assert!(doubts("Sollid", &[]).iter().any(|doubt| doubt.who.contains("Sollid") && doubt.what.contains("'solid'")));
     assert!(doubts("Enemy", &[]).is_empty() && doubts("Solid", &[]).is_empty());
 }

@@ -153,7 +153,7 @@ fn json() {
          {\"rule\":\"a\",\"what\":\"class OneWay is one-way-up\",\"tiles\":1},\
          {\"rule\":\"c\",\"what\":\"objects of layer 'L'\",\"tiles\":1}],\
          \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\
-         \"objects\":[{\"class\":\"\",\"name\":\"start\",\"layer\":\"Spots\",\"area\":[0.0,0.0,0.0,0.0],\
+         \"objects\":[{\"id\":2,\"class\":\"\",\"name\":\"start\",\"layer\":\"Spots\",\"area\":[0.0,0.0,0.0,0.0],\
          \"points\":[],\"properties\":{\"to\":[7,true,\"x\"]}}],\"flash_bytes\":667}\n"
     );
 }

@@ -213,7 +213,7 @@ fn odd_but_good_files() {
     let as_tags = small.replace(csv, &tags).replace(" encoding=\"csv\"", "");
     let flipped = small.replace(",1,1", ",2147483649,3758096385");
     let old = small.replace(" tilecount=\"12\" columns=\"4\"", "").replace(" width=\"32\" height=\"24\"", "");
-    let extras = "</layer><objectgroup id=\"2\"><object id=\"1\" template=\"none.tx\"/></objectgroup>";
+    let extras = "</layer><objectgroup id=\"2\"><object id=\"1\" x=\"3\"/></objectgroup>";
     let group = small.replace("<layer", "<group id=\"9\" name=\"g\"><layer").replace("</layer>", "</layer></group>");
     let expected = played(&level("plain", &small), &["--frames", "300"]);
     fine(&expected, 300);

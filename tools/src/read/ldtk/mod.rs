@@ -2,7 +2,7 @@
 
 mod raw;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 use std::rc::Rc;
 
@@ -25,7 +25,13 @@ const MAX_PROJECT: u64 = 1 << 25;
 /// Whether the JSON is not a map of Tiled, which has a direction of its cells.
 pub(super) fn is_project(bytes: &[u8]) -> bool {
     let text = std::str::from_utf8(bytes).unwrap_or_default();
-    text.contains("\"defs\"") || !text.contains("\"orientation\"") && !text.contains("\"tilewidth\"")
+    has_definitions(bytes) || !text.contains("\"orientation\"") && !text.contains("\"tilewidth\"")
+}
+
+/// Whether it looks like a project, whatever its name.
+pub(super) fn has_definitions(bytes: &[u8]) -> bool {
+    let text = std::str::from_utf8(bytes).unwrap_or_default();
+    text.contains("\"defs\"") || text.contains("\"levels\"")
 }
 
 /// All levels of a project, or the one of this name.
@@ -34,7 +40,7 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
     let folder = path.parent().unwrap_or(Path::new(""));
     let tilesets: Vec<Rc<Tileset>> = project.defs.tilesets.iter().map(|set| Rc::new(tileset(set, folder))).collect();
     let definitions = &project.defs;
-    let mut reader = Reader { definitions, tilesets, folder, files, cells: 0 };
+    let mut reader = Reader { definitions, tilesets, folder, files, cells: 0, ids: Ids::default() };
     let alone =
         raw::World { identifier: String::new(), layout: project.layout, levels: project.levels.unwrap_or_default() };
     let worlds: Vec<raw::World> = std::iter::once(alone).chain(project.worlds).collect();
@@ -54,16 +60,57 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
     }
     let mut maps = Vec::new();
-    for world in worlds {
+    for (number, world) in worlds.into_iter().enumerate() {
         for found in world.levels {
             let name = name(&world.identifier, &found.identifier);
             if level.is_none_or(|wanted| wanted == name) {
                 let of_level = |why: String| format!("level '{name}': {why}");
-                maps.push(reader.level(found, &name, world.layout.is_some()).map_err(of_level)?);
+                let world = world.layout.is_some().then_some(number);
+                maps.push(reader.level(found, &name, world).map_err(of_level)?);
+            }
+        }
+    }
+    let layers = maps.iter_mut().flat_map(|map| &mut map.layers);
+    for layer in layers {
+        let Content::Objects(objects) = &mut layer.content else { continue };
+        for (_, value) in objects.iter_mut().flat_map(|object| &mut object.fields.0) {
+            if matches!(value, Value::Object(id) if !reader.ids.read.contains(id)) {
+                *value = Value::Lost("it refers to an entity that is in no level of the input".to_owned());
             }
         }
     }
     Ok(maps)
+}
+
+/// Numbers for the entities of a project, by their names in the file.
+#[derive(Debug, Default)]
+struct Ids {
+    known: HashMap<String, u32>,
+    /// Those of entities that were read.
+    read: HashSet<u32>,
+    count: u32,
+}
+
+impl Ids {
+    /// The number of an entity, which may come later.
+    fn of(&mut self, iid: &str) -> u32 {
+        *self.known.entry(iid.to_owned()).or_insert_with(|| {
+            self.count += 1;
+            self.count
+        })
+    }
+
+    /// The number of an entity that is read now. Old files have no names.
+    fn of_read(&mut self, iid: &str) -> u32 {
+        let mut id = if iid.is_empty() { 0 } else { self.of(iid) };
+        // A copy of an entity by hand has its name, too.
+        if iid.is_empty() || self.read.contains(&id) {
+            self.count += 1;
+            id = self.count;
+        }
+        self.read.insert(id);
+        id
+    }
 }
 
 fn tileset(set: &raw::Tileset, folder: &Path) -> Tileset {
@@ -97,6 +144,7 @@ struct Reader<'a> {
     files: &'a mut Files,
     /// The cells in all levels so far.
     cells: u64,
+    ids: Ids,
 }
 
 /// The meaning of the numbers of a level's layers, while it grows.
@@ -108,7 +156,7 @@ struct Palette {
 }
 
 impl Reader<'_> {
-    fn level(&mut self, mut level: raw::Level, name: &str, in_world: bool) -> Result<Map> {
+    fn level(&mut self, mut level: raw::Level, name: &str, world: Option<usize>) -> Result<Map> {
         if let (None, Some(file)) = (&level.layer_instances, &level.external_rel_path) {
             let path = self.folder.join(file);
             let of_file = |why: String| format!("{}: {why}", path.display());
@@ -127,11 +175,14 @@ impl Reader<'_> {
             if layer.form == "Entities" {
                 // Only the points of fields need the side of a cell.
                 let side = layer.tile.0.min(256) as u16;
-                let objects = layer.entities.iter().zip(1..).map(|(entity, id)| object(entity, id, side)).collect();
-                read.push(Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), Content::Objects(objects)));
+                let ids: Vec<u32> = layer.entities.iter().map(|entity| self.ids.of_read(&entity.iid)).collect();
+                let objects =
+                    layer.entities.iter().zip(ids).map(|(entity, id)| object(entity, id, side, &mut self.ids));
+                let objects = Content::Objects(objects.collect());
+                read.push(Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), objects));
                 continue;
             }
-            let side = grid(layer).map_err(of_layer)?;
+            let (side, before) = (grid(layer).map_err(of_layer)?, read.len());
             self.cells = self.cells.saturating_add(layer.width.0.saturating_mul(layer.height.0));
             if self.cells - start > MAX_CELLS || self.cells > MAX_PROJECT {
                 return Err(of_layer(format!("with it the layers have more than {MAX_CELLS} cells")));
@@ -143,10 +194,16 @@ impl Reader<'_> {
             if let Some(uid) = layer.tileset {
                 read.extend(self.tiles(layer, uid, side, &mut palette).map_err(of_layer)?);
             }
+            let definition = self.definitions.layers.iter().find(|definition| definition.uid == layer.definition);
+            for read in read.iter_mut().skip(before) {
+                read.hidden = layer.visible == Some(false);
+                read.parallax = definition.is_some_and(|of| (of.parallax_x, of.parallax_y) != (0.0, 0.0));
+            }
         }
         let sides = read.iter().filter_map(|layer| layer.tiles().map(|tiles| tiles.tile));
         let tile = tile.or_else(|| sides.min()).unwrap_or(16);
-        let place = Place { x: level.world_x, y: level.world_y, width: level.px_wid, height: level.px_hei };
+        let plane = (world.unwrap_or(0), level.world_depth);
+        let place = Place { x: level.world_x, y: level.world_y, width: level.px_wid, height: level.px_hei, plane };
         Ok(Map {
             name: name.to_owned(),
             tile,
@@ -154,7 +211,7 @@ impl Reader<'_> {
             tilesets: self.tilesets.clone(),
             palette: palette.all,
             layers: read,
-            place: (in_world && place.width > 0).then_some(place),
+            place: (world.is_some() && place.width > 0).then_some(place),
             values: true,
         })
     }
@@ -247,31 +304,23 @@ fn grid(layer: &raw::Layer) -> Result<u16> {
 }
 
 /// An entity is a rectangle with its name, its tags and its fields.
-fn object(entity: &raw::Entity, id: u32, side: u16) -> Object {
+fn object(entity: &raw::Entity, id: u32, side: u16, ids: &mut Ids) -> Object {
     let pixels = |value: u32| Decimal::whole(value.into());
     let corner =
         |at: i32, size: u32, pivot: f64| Decimal::whole(at.into()) - Decimal::from_f64(f64::from(size) * pivot);
     let marks = entity.tags.iter().map(|tag| (tag.clone(), Value::Bool(true)));
     let (paths, fields): (Vec<_>, Vec<_>) =
         entity.fields.iter().partition(|field| matches!(field.form.as_str(), "Point" | "Array<Point>"));
-    let mut path: Vec<Spot> = Vec::new();
-    let mut values: Vec<(String, Value)> = fields.into_iter().flat_map(values).collect();
-    for field in paths {
-        let points: Vec<Spot> = each(&field.value).filter_map(|point| middle(point, side)).collect();
-        if path.is_empty() {
-            path = points;
-        } else if !points.is_empty() {
-            // An object has one list of points.
-            values.push((field.name.clone(), Value::Other));
-        }
-    }
+    let values = fields.into_iter().flat_map(|field| values(field, ids)).collect();
+    let points = |field: &raw::Field| each(&field.value).filter_map(|point| middle(point, side)).collect::<Vec<Spot>>();
+    let paths = paths.into_iter().map(|field| (field.name.clone(), points(field))).filter(|path| !path.1.is_empty());
     Object {
         id,
         name: entity.name.clone(),
         class: entity.name.clone(),
         properties: Properties(marks.collect()),
         fields: Properties(values),
-        path,
+        paths: paths.collect(),
         at: (corner(entity.px.0, entity.width, entity.pivot.0), corner(entity.px.1, entity.height, entity.pivot.1)),
         size: (pixels(entity.width), pixels(entity.height)),
         rotation: Decimal::ZERO,
@@ -280,8 +329,16 @@ fn object(entity: &raw::Entity, id: u32, side: u16) -> Object {
 }
 
 /// The values of a field: a list has several, and a field without a value none.
-fn values(field: &raw::Field) -> impl Iterator<Item = (String, Value)> + '_ {
-    each(&field.value).map(|value| (field.name.clone(), Value::from(value)))
+fn values(field: &raw::Field, ids: &mut Ids) -> Vec<(String, Value)> {
+    let value = |value: &serde_json::Value| match value {
+        serde_json::Value::Object(reference) => match reference.get("entityIid").and_then(|iid| iid.as_str()) {
+            Some(iid) => Value::Object(ids.of(iid)),
+            None => Value::Lost(format!("its type '{}' has no value here", field.form)),
+        },
+        plain => Value::from(plain),
+    };
+    let values: Vec<Value> = each(&field.value).map(value).collect();
+    values.into_iter().map(|value| (field.name.clone(), value)).collect()
 }
 
 fn each(value: &serde_json::Value) -> impl Iterator<Item = &serde_json::Value> {

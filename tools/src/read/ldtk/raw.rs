@@ -32,6 +32,10 @@ pub(super) struct Definitions {
 #[serde(default)]
 pub(super) struct LayerDefinition {
     pub(super) uid: i64,
+    #[serde(rename = "parallaxFactorX")]
+    pub(super) parallax_x: f64,
+    #[serde(rename = "parallaxFactorY")]
+    pub(super) parallax_y: f64,
     #[serde(rename = "intGridValues")]
     pub(super) values: Vec<Named>,
 }
@@ -71,6 +75,7 @@ pub(super) struct Level {
     pub(super) identifier: String,
     pub(super) world_x: i32,
     pub(super) world_y: i32,
+    pub(super) world_depth: i32,
     pub(super) px_wid: u32,
     pub(super) px_hei: u32,
     /// The file of the layers, if they are not here.
@@ -83,6 +88,7 @@ pub(super) struct Level {
 pub(super) struct Layer {
     #[serde(rename = "__type")]
     pub(super) form: String,
+    pub(super) visible: Option<bool>,
     #[serde(rename = "__identifier")]
     pub(super) name: String,
     #[serde(rename = "__cWid")]
@@ -123,6 +129,7 @@ pub(super) struct Tile {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Entity {
+    pub(super) iid: String,
     #[serde(rename = "__identifier")]
     pub(super) name: String,
     #[serde(rename = "__tags")]

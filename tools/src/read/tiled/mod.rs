@@ -12,6 +12,7 @@ use std::path::Path;
 
 use super::file::Files;
 use super::json;
+use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Tiles};
 use crate::model::object::Spot;
 use data::{Form, MAX_CELLS};
@@ -77,6 +78,8 @@ fn side(map: &raw::Map) -> Result<u16> {
 #[derive(Default)]
 struct Around {
     offset: Spot,
+    hidden: bool,
+    parallax: bool,
     says: Vec<String>,
 }
 
@@ -96,12 +99,15 @@ impl Reader<'_> {
         let name = layer.name.clone();
         let of_layer = |why: String| format!("layer '{name}': {why}");
         let offset = (around.offset.0 + layer.offsetx.0, around.offset.1 + layer.offsety.0);
+        let hidden = around.hidden || !layer.visible;
+        let moves = |factor: raw::Number| factor.0 != Decimal::whole(1);
+        let parallax = around.parallax || moves(layer.parallaxx) || moves(layer.parallaxy);
         let marks: Vec<String> = layer.properties.0.marks().map(str::to_owned).collect();
         let content = match &*layer.form {
             "group" => {
                 let own = [&layer.name, &layer.class].into_iter().chain(&marks).filter(|name| !name.is_empty());
                 let says = around.says.iter().chain(own).cloned().collect();
-                let around = Around { offset, says };
+                let around = Around { offset, hidden, parallax, says };
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
             "tilelayer" => Content::Tiles(
@@ -119,7 +125,7 @@ impl Reader<'_> {
             ),
             "objectgroup" => {
                 let objects = layer.objects.into_iter();
-                let read = objects.map(|object| self.sets.templates.object(object, self.folder, self.files));
+                let read = objects.map(|object| self.sets.object(object, self.folder, self.files));
                 Content::Objects(read.collect::<Result<_>>().map_err(of_layer)?)
             }
             "imagelayer" => Content::Image,
@@ -129,7 +135,8 @@ impl Reader<'_> {
             return Err(format!("more than {MAX_LAYERS} layers"));
         }
         let groups = around.says.clone();
-        self.layers.push(Layer { name: layer.name, class: layer.class, marks, groups, offset, content });
+        let (name, class) = (layer.name, layer.class);
+        self.layers.push(Layer { name, class, marks, groups, offset, hidden, parallax, content });
         Ok(())
     }
 

@@ -7,6 +7,7 @@ use super::{raw, tags};
 use crate::model::decimal::Decimal;
 use crate::model::object::{Form, Object};
 use crate::model::property::Properties;
+use crate::model::tileset::Tileset;
 use crate::read::file::Files;
 use crate::read::json;
 
@@ -14,27 +15,35 @@ type Result<T> = std::result::Result<T, String>;
 
 /// The templates of a map, each read once.
 #[derive(Debug, Default)]
-pub(super) struct Templates(HashMap<PathBuf, raw::Object>);
+pub(super) struct Templates {
+    objects: HashMap<PathBuf, raw::Object>,
+    sets: HashMap<PathBuf, raw::Tileset>,
+}
 
 impl Templates {
-    /// An object of a map in this folder.
-    pub(super) fn object(&mut self, object: raw::Object, folder: &Path, files: &mut Files) -> Result<Object> {
-        let Some(name) = &object.template else { return shape(object) };
+    /// The tileset of a template, once.
+    pub(super) fn take_set(&mut self, path: &Path) -> Option<raw::Tileset> {
+        self.sets.remove(path)
+    }
+
+    /// An object of a file in this folder, with the values of its template.
+    ///
+    /// # Errors
+    ///
+    /// If the template is missing: as with a tileset, nobody knows what it would have been.
+    pub(super) fn filled(&mut self, object: raw::Object, folder: &Path, files: &mut Files) -> Result<raw::Object> {
+        let Some(name) = &object.template else { return Ok(object) };
         let path = folder.join(name);
-        if !self.0.contains_key(&path) {
+        if !self.objects.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            // People often take levels out of their project without the files that only the game
-            // needs.
-            let Ok(bytes) = files.bytes(&path) else {
-                let why = format!("made from a template that cannot be read: {name}");
-                return Ok(Object { form: Form::Missing(why), ..shape(object)? });
-            };
+            let bytes = files.bytes(&path).map_err(of_file)?;
             let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::template(&bytes) };
             let template: raw::Template = read.map_err(|why| of_file(format!("not a template of Tiled: {why}")))?;
             let inner = template.object.ok_or_else(|| of_file("it has no object".to_owned()))?;
-            self.0.insert(path.clone(), inner);
+            self.objects.insert(path.clone(), inner);
+            self.sets.extend(template.tileset.map(|set| (path.clone(), set)));
         }
-        shape(filled(object, &self.0[&path]))
+        Ok(filled(object, &self.objects[&path]))
     }
 }
 
@@ -49,12 +58,7 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
             || object.polyline.is_some()
     };
     let form = if drawn(&own) { &own } else { template }.clone();
-    let mut properties = own.properties.0;
-    for (name, value) in &template.properties.0.0 {
-        if !properties.0.iter().any(|(known, _)| known == name) {
-            properties.0.push((name.clone(), value.clone()));
-        }
-    }
+    let properties = with_rest(own.properties.0, &template.properties.0);
     raw::Object {
         id: own.id,
         name: own.name.or(template.name.clone()),
@@ -70,8 +74,52 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
     }
 }
 
-/// An object without a template.
-fn shape(object: raw::Object) -> Result<Object> {
+/// All of the first, and of the others those with other names.
+fn with_rest(mut own: Properties, others: &Properties) -> Properties {
+    for (name, value) in &others.0 {
+        if !own.0.iter().any(|(known, _)| known == name) {
+            own.0.push((name.clone(), value.clone()));
+        }
+    }
+    own
+}
+
+/// An object with the size, the class and the properties of its tile, as far as it has none.
+pub(super) fn of_tile(object: raw::Object, set: &Tileset, id: u32) -> Result<Object> {
+    let (width, height) = set.size_of(id);
+    let along = |own: Option<raw::Number>, side: u32| {
+        own.filter(|own| own.0 != Decimal::ZERO).or(Some(raw::Number(Decimal::whole(side.into()))))
+    };
+    let mut object = raw::Object { width: along(object.width, width), height: along(object.height, height), ..object };
+    if let Some(tile) = set.tiles.get(&id) {
+        object.class = object.class.filter(|class| !class.is_empty()).or(Some(tile.class.clone()));
+        object.properties.0 = with_rest(object.properties.0, &tile.properties);
+    }
+    let mut object = shape(object)?;
+    if let Form::Tile(across, down) = &mut object.form {
+        (*across, *down) = set.align;
+    }
+    Ok(object)
+}
+
+/// The alignment of a tileset's objects, in halves of their size.
+pub(super) fn alignment(name: &str) -> Result<(u32, u32)> {
+    Ok(match name {
+        "topleft" => (0, 0),
+        "top" => (1, 0),
+        "topright" => (2, 0),
+        "left" => (0, 1),
+        "center" => (1, 1),
+        "right" => (2, 1),
+        "" | "unspecified" | "bottomleft" => (0, 2),
+        "bottom" => (1, 2),
+        "bottomright" => (2, 2),
+        other => return Err(format!("objectalignment '{other}' is unknown")),
+    })
+}
+
+/// An object without a template and a tile.
+pub(super) fn shape(object: raw::Object) -> Result<Object> {
     let points = |points: Vec<raw::Point>| points.into_iter().map(Into::into).collect();
     let form = match object {
         raw::Object { polygon: Some(list), .. } => Form::Polygon(points(list)),
@@ -80,7 +128,7 @@ fn shape(object: raw::Object) -> Result<Object> {
         raw::Object { ellipse: true, .. } => Form::Ellipse,
         raw::Object { capsule: true, .. } => Form::Capsule,
         raw::Object { text: true, .. } => Form::Text,
-        raw::Object { gid: Some(_), .. } => Form::Tile,
+        raw::Object { gid: Some(_), .. } => Form::Tile(0, 2),
         _ => Form::Rectangle,
     };
     let number = |number: Option<raw::Number>| number.map_or(Decimal::ZERO, |number| number.0);
@@ -94,7 +142,7 @@ fn shape(object: raw::Object) -> Result<Object> {
         class: object.class.unwrap_or_default(),
         properties: Properties(object.properties.0.0),
         fields: Properties::default(),
-        path: Vec::new(),
+        paths: Vec::new(),
         at: (object.x.0, object.y.0),
         size,
         rotation: number(object.rotation),

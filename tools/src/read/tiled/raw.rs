@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer};
 
 use crate::model::decimal::Decimal;
 use crate::model::object::Spot;
-use crate::model::property::{Properties, Value};
+use crate::model::property::{CLASS, LIST, Properties, Value};
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
@@ -41,6 +41,7 @@ pub(super) struct Tileset {
     pub(super) imageheight: u32,
     pub(super) tileoffset: Offset,
     pub(super) tilerendersize: String,
+    pub(super) objectalignment: String,
     pub(super) tiles: Tiles,
     /// Before Tiled 1.2, properties and classes were separate from the tiles.
     pub(super) tileproperties: BTreeMap<u32, Listed>,
@@ -68,15 +69,18 @@ pub(super) struct Tile {
     pub(super) imageheight: u32,
 }
 
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(default)]
 pub(super) struct Layer {
     #[serde(rename = "type")]
     pub(super) form: String,
     pub(super) name: String,
     pub(super) class: String,
+    pub(super) visible: bool,
     pub(super) offsetx: Number,
     pub(super) offsety: Number,
+    pub(super) parallaxx: Number,
+    pub(super) parallaxy: Number,
     pub(super) width: u32,
     pub(super) height: u32,
     pub(super) encoding: Option<String>,
@@ -86,6 +90,31 @@ pub(super) struct Layer {
     pub(super) objects: Vec<Object>,
     pub(super) layers: Vec<Layer>,
     pub(super) properties: Listed,
+}
+
+impl Default for Layer {
+    fn default() -> Self {
+        let one = Number(Decimal::whole(1));
+        Self {
+            form: String::new(),
+            name: String::new(),
+            class: String::new(),
+            visible: true,
+            offsetx: Number::default(),
+            offsety: Number::default(),
+            parallaxx: one,
+            parallaxy: one,
+            width: 0,
+            height: 0,
+            encoding: None,
+            compression: None,
+            data: None,
+            chunks: Vec::new(),
+            objects: Vec::new(),
+            layers: Vec::new(),
+            properties: Listed::default(),
+        }
+    }
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -199,7 +228,23 @@ pub(super) struct Listed(pub(super) Properties);
 #[derive(Deserialize)]
 struct Property {
     name: String,
+    #[serde(rename = "type")]
+    form: Option<String>,
     value: serde_json::Value,
+}
+
+/// A value of a type that only Tiled has. `None` for a reference to no object, and for other types.
+pub(super) fn special(form: &str, text: &str) -> Option<Value> {
+    Some(match form {
+        "object" => match text.trim().parse() {
+            Ok(0) => return None,
+            Ok(id) => Value::Object(id),
+            Err(_) => Value::Lost(format!("it refers to an object '{text}', which is no id")),
+        },
+        "class" => Value::Lost(CLASS.to_owned()),
+        "list" => Value::Lost(LIST.to_owned()),
+        _ => Value::Lost(format!("its type '{form}' is unknown")),
+    })
 }
 
 impl<'de> Deserialize<'de> for Listed {
@@ -213,7 +258,11 @@ impl<'de> Deserialize<'de> for Listed {
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Listed, A::Error> {
                 let mut all = Vec::new();
                 while let Some(property) = list.next_element::<Property>()? {
-                    all.push((property.name, Value::from(&property.value)));
+                    let value = match property.form.as_deref() {
+                        Some("object") => special("object", &property.value.to_string()),
+                        _ => Some(Value::from(&property.value)),
+                    };
+                    all.extend(value.map(|value| (property.name, value)));
                 }
                 Ok(Listed(Properties(all)))
             }

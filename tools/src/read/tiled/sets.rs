@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use super::objects::Templates;
+use super::objects::{Templates, alignment, of_tile, shape};
 use super::{raw, tags};
 use crate::model::flip::Flip;
 use crate::model::map::Placed;
+use crate::model::object::Object;
 use crate::model::tileset::{Tile, Tileset};
 use crate::read::file::Files;
 use crate::read::json;
@@ -34,7 +35,9 @@ pub(super) struct Sets {
     known: HashMap<PathBuf, usize>,
     places: HashMap<u32, u32>,
     pub(super) palette: Vec<Placed>,
-    pub(super) templates: Templates,
+    templates: Templates,
+    /// The first number and the tileset of each template that has one.
+    of_templates: HashMap<PathBuf, (u32, usize)>,
     tiles: usize,
 }
 
@@ -85,6 +88,32 @@ impl Sets {
         Ok(self.all.len() - 1)
     }
 
+    /// An object of a map in this folder, with what its template and its tile give it.
+    pub(super) fn object(&mut self, object: raw::Object, folder: &Path, files: &mut Files) -> Result<Object> {
+        let (id, own) = (object.id, object.gid);
+        let template = object.template.as_ref().map(|name| folder.join(name));
+        let object = self.templates.filled(object, folder, files)?;
+        let found = match (own.or(object.gid), template) {
+            (None, _) => Ok(None),
+            // The numbers of a template are those of its own tileset.
+            (Some(gid), Some(path)) if own.is_none() => self.tile_of_template(gid, &path, files),
+            (Some(gid), _) => self.tile(gid),
+        };
+        match found.map_err(|why| format!("object {id}: {why}"))? {
+            Some((index, tile, _)) => of_tile(object, &self.all[index], tile),
+            None => shape(object),
+        }
+    }
+
+    fn tile_of_template(&mut self, gid: u32, path: &Path, files: &mut Files) -> Result<Option<(usize, u32, Flip)>> {
+        if let Some(set) = self.templates.take_set(path) {
+            let first = set.firstgid;
+            let index = self.index(set, path.parent().unwrap_or(Path::new("")), files)?;
+            self.of_templates.insert(path.to_owned(), (first, index));
+        }
+        self.of_templates.get(path).map_or(Ok(None), |&known| self.tile_of(gid, Some(known)))
+    }
+
     /// The palette index for a number in a layer.
     pub(super) fn place(&mut self, gid: u32) -> Result<u32> {
         if let Some(&place) = self.places.get(&gid) {
@@ -99,13 +128,19 @@ impl Sets {
 
     /// The tileset, its tile and the flips. `None` for no tile.
     fn tile(&self, gid: u32) -> Result<Option<(usize, u32, Flip)>> {
+        let known = self.first.range(..=gid & !FLIPS).next_back();
+        self.tile_of(gid, known.map(|(&first, &index)| (first, index)))
+    }
+
+    /// The same in a tileset with this first number.
+    fn tile_of(&self, gid: u32, known: Option<(u32, usize)>) -> Result<Option<(usize, u32, Flip)>> {
         let flip =
             Flip { diagonal: gid & DIAGONAL != 0, horizontal: gid & HORIZONTAL != 0, vertical: gid & VERTICAL != 0 };
         let gid = gid & !FLIPS;
         if gid == 0 {
             return Ok(None);
         }
-        let Some((&first, &index)) = self.first.range(..=gid).next_back() else {
+        let Some((first, index)) = known.filter(|(first, _)| *first <= gid) else {
             return Err(format!("tile {gid} belongs to no tileset"));
         };
         let (set, id) = (&self.all[index], gid - first);
@@ -139,7 +174,7 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
         let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
         let shapes = shapes
             .into_iter()
-            .map(|shape| templates.object(shape, folder, files).map_err(&of_set))
+            .map(|drawn| templates.filled(drawn, folder, files).and_then(shape).map_err(&of_set))
             .collect::<Result<_>>()?;
         let image = path(tile.image).map(|image| (image, (tile.imagewidth, tile.imageheight)));
         tiles.insert(tile.id, Tile { class: tile.class, properties: tile.properties.0, shapes, image });
@@ -155,6 +190,7 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
         margin: set.margin,
         spacing: set.spacing,
         offset: (set.tileoffset.x, set.tileoffset.y),
+        align: alignment(&set.objectalignment).map_err(&of_set)?,
         fits_grid: set.tilerendersize == "grid",
         image: path(set.image),
         tiles,

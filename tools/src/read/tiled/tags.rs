@@ -1,6 +1,6 @@
 //! The XML of Tiled: maps, tilesets and templates, element by element.
 
-use super::raw::{Chunk, Data, Layer, Listed, Map, Number, Object, Point, Template, Tile, Tileset};
+use super::raw::{Chunk, Data, Layer, Listed, Map, Number, Object, Point, Template, Tile, Tileset, special};
 use crate::model::decimal::Decimal;
 use crate::model::object::Spot;
 use crate::model::property::{Properties, Value};
@@ -102,6 +102,7 @@ fn tileset(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Tileset> {
         margin: number(xml, tag, "margin")?,
         spacing: number(xml, tag, "spacing")?,
         tilerendersize: tag.text("tilerendersize"),
+        objectalignment: tag.text("objectalignment"),
         ..Tileset::default()
     };
     while let Some(tag) = xml.child()? {
@@ -160,12 +161,12 @@ fn properties(xml: &mut Xml<'_>) -> Result<Listed> {
             }
         }
         let value = match tag.get("type") {
-            Some("bool") => Value::Bool(text == "true"),
-            Some("int" | "float") => Value::Number(text),
-            None | Some("string" | "file" | "color") => Value::Text(text),
-            Some(_) => Value::Other,
+            Some("bool") => Some(Value::Bool(text == "true")),
+            Some("int" | "float") => Some(Value::Number(text)),
+            None | Some("string" | "file" | "color") => Some(Value::Text(text)),
+            Some(other) => special(other, &text),
         };
-        all.push((name, value));
+        all.extend(value.map(|value| (name, value)));
     }
     Ok(Listed(Properties(all)))
 }
@@ -188,8 +189,11 @@ fn layer(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Option<Layer>> {
         class: tag.text("class"),
         offsetx: decimal(xml, tag, "offsetx")?.unwrap_or_default(),
         offsety: decimal(xml, tag, "offsety")?.unwrap_or_default(),
+        visible: tag.get("visible") != Some("0"),
         ..Layer::default()
     };
+    read.parallaxx = decimal(xml, tag, "parallaxx")?.unwrap_or(read.parallaxx);
+    read.parallaxy = decimal(xml, tag, "parallaxy")?.unwrap_or(read.parallaxy);
     if form == "tilelayer" {
         (read.width, read.height) = (number(xml, tag, "width")?, number(xml, tag, "height")?);
     }

@@ -60,6 +60,8 @@ pub const fn map(tiles: &[u8; 510]) -> Result<tilesat::TileMap<'_, tilesat::Bloc
 /// An object of the level that is not solid. A point has an area without size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
+    /// Unique in the map or the project.
+    pub id: u32,
     pub class: &'static str,
     pub name: &'static str,
     pub area: tilesat::Aabb,
@@ -75,6 +77,9 @@ pub enum Value {
     /// Rounded to nearest. One that 16.16 cannot hold is a text.
     Number(tilesat::Fx),
     Text(&'static str),
+    /// A reference to the object with this id.
+    Object(u32),
+    Point(tilesat::Vec2),
 }
 impl Object {
     /// The value of a property.
@@ -98,8 +103,8 @@ const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
 /// The objects that are not solid, in the order of the file.
 #[rustfmt::skip]
 pub static OBJECTS: &[Object] = &[
-    Object { class: "Places", name: "start", area: area(2621440, 14155776, 2621440, 14155776), points: &[], properties: &[] },
-    Object { class: "Places", name: "exit", area: area(27262976, 10485760, 28311552, 12582912), points: &[], properties: &[] },
+    Object { id: 8, class: "Places", name: "start", area: area(2621440, 14155776, 2621440, 14155776), points: &[], properties: &[] },
+    Object { id: 9, class: "Places", name: "exit", area: area(27262976, 10485760, 28311552, 12582912), points: &[], properties: &[] },
 ];
 pub const OBJECT_START: tilesat::Aabb = area(2621440, 14155776, 2621440, 14155776);
 pub const OBJECT_EXIT: tilesat::Aabb = area(27262976, 10485760, 28311552, 12582912);

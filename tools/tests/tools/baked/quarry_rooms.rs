@@ -146,6 +146,8 @@ const fn segments(bytes: &'static [u8]) -> tilesat::SegmentMap<'static> {
 /// An object of the level that is not solid. A point has an area without size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
+    /// Unique in the map or the project.
+    pub id: u32,
     pub class: &'static str,
     pub name: &'static str,
     pub area: tilesat::Aabb,
@@ -161,6 +163,9 @@ pub enum Value {
     /// Rounded to nearest. One that 16.16 cannot hold is a text.
     Number(tilesat::Fx),
     Text(&'static str),
+    /// A reference to the object with this id.
+    Object(u32),
+    Point(tilesat::Vec2),
 }
 impl Object {
     /// The value of a property.
@@ -181,17 +186,17 @@ const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
         Err(_) => panic!("an object is outside of the domain"),
     }
 }
-/// The objects of each room that are not solid, in coordinates of the room. Rooms are in
-/// order, row after row.
+/// The objects of each room that are not solid, in coordinates of the room. They
+/// are in the order of the rooms, row after row.
 #[rustfmt::skip]
 pub static OBJECTS: [&[Object]; 6] = [
     &[],
     &[],
     &[
-    Object { class: "Places", name: "exit", area: area(2097152, 10485760, 3145728, 12582912), points: &[], properties: &[] },
+    Object { id: 9, class: "Places", name: "exit", area: area(2097152, 10485760, 3145728, 12582912), points: &[], properties: &[] },
     ],
     &[
-    Object { class: "Places", name: "start", area: area(2621440, 1572864, 2621440, 1572864), points: &[], properties: &[] },
+    Object { id: 8, class: "Places", name: "start", area: area(2621440, 1572864, 2621440, 1572864), points: &[], properties: &[] },
     ],
     &[],
     &[],
