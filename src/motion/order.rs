@@ -63,8 +63,8 @@ impl First {
     pub(super) fn add<B: Body, W: World>(&mut self, entry: &Entry, feature: &Feature, d: Raw) {
         let all_flat = W::BLOCKS && !B::MEETS_CORNERS;
         let slot = if all_flat || entry.step.is_none() { &mut self.flat } else { &mut self.round };
-        // A corner is of the cell of one of its edges. A body whose own corner meets it exactly, and
-        // whose inside does not come to that cell, meets the other edge alone: it goes first.
+        // A corner is of the cell of one of its edges. A body whose own corner meets it exactly,
+        // and whose inside does not come to that cell, meets the other edge alone: it goes first.
         let sharp = B::ANGULAR && entry.step.is_none();
         let is_corner = |of: &Feature| sharp && matches!(of.geometry, Geometry::Vertex { .. });
         let before = |first: &Entry, of: &Feature| {

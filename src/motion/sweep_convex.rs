@@ -392,8 +392,8 @@ impl Quarter {
         (over > 0 || (over == 0 && covers(core, far, d, normal, way))).then_some(over == 0)
     }
 
-    /// Whether a sharp corner that meets an end of the arc, where its way leads through it, comes to
-    /// be behind the arc.
+    /// Whether a sharp corner that meets an end of the arc, where its way leads through it, comes
+    /// to be behind the arc.
     fn corner_covers(&self, core: Core<'_>, corner: usize, d: Raw) -> bool {
         let (x, y) = (Axis::new(self.quadrant.x, 0), Axis::new(0, self.quadrant.y));
         let at = |end: Axis| self.end(end).sub(core.corner(corner)).cross(d) == 0;

@@ -107,9 +107,10 @@ fn around(
     any
 }
 
-/// The tangents of a quarter pipe at the corners of the body that are at it. A corner outside of the
-/// disc is behind the pipe: beside its end, where the solid between is a cusp. Of corners within the
-/// rounding distance of each other the outermost stands for all: more would fill the list of ways.
+/// The tangents of a quarter pipe at the corners of the body that are at it. A corner outside of
+/// the disc is behind the pipe: beside its end, where the solid between is a cusp. Of corners
+/// within the rounding distance of each other the outermost stands for all: more would fill the
+/// list of ways.
 fn pipe(core: Core<'_>, centre: Raw, radius: i32, quadrant: Axis, plane: &mut dyn FnMut(Plane)) -> bool {
     let room = radius.wrapping_sub(core.radius);
     if room <= 0 {

@@ -234,8 +234,8 @@ impl<W: World, B: Mobile> Place<'_, W, B> {
     ///
     /// A stop is up to a raw unit before what it hits, and there a body is not held: one raw unit
     /// before the end of a ledge it has a way down. So the velocity presses it on in a lattice 16
-    /// times as fine. What remains is a gap g of at most one unit of that lattice. Over a point that
-    /// opens, to a disc of radius r, ways that have up to a part c of the velocity for which
+    /// times as fine. What remains is a gap g of at most one unit of that lattice. Over a point,
+    /// the gap opens ways to a disc of radius r. They have up to a part c of the velocity for which
     /// r (1 - sqrt(1 - c^2)) is g, so about c^2 r / 2. Ways of a disc need twice that square.
     fn has_a_way(&self, body: &B, v: Vec2) -> bool {
         let Some(pressed) = (self.first)(self.fine, &body.fine(), fine(v)) else { return true };

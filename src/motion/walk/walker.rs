@@ -182,10 +182,10 @@ impl Walker {
     /// the limit. Mirrored scenes give mirrored bits, with the exceptions of
     /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits.
     ///
-    /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which takes
-    /// several frames, and the ground one radius farther on must not be higher than the step. An
-    /// edge that it meets no steeper than the slope limit is no step. Its `floor` is then the one
-    /// that the step leads to. Snapping and steps treat one-way faces as every motion
+    /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which
+    /// takes several frames, and the ground one radius farther on must not be higher than the
+    /// step. Its `floor` is then the one that the step leads to. An edge that it meets no steeper
+    /// than the slope limit is no step. Snapping and steps treat one-way faces as every motion
     /// does: the faces hold bodies that are entirely above them.
     ///
     /// Cost: on even ground, two sweeps over the cells under the motion. At most four legs with two
