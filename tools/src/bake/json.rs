@@ -100,7 +100,7 @@ impl Baked {
         self.ground.left_out.iter().filter(|object| object.is_listed()).map(told).collect()
     }
 
-    /// What the author has hardly meant: a line each.
+    /// What the author probably did not intend: a line each.
     pub fn warnings(&self) -> Vec<String> {
         let beyond = self.ground.left_out.iter().filter(|object| object.suspicious).map(|object| {
             let pixels = |raw: i64| raw.div_euclid(1 << 16);

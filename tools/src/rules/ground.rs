@@ -54,14 +54,14 @@ pub struct Ground {
     pub ignored: Vec<String>,
     /// Further notes for the user.
     pub notes: Vec<String>,
-    /// What is hardly meant.
+    /// What the author probably did not intend.
     pub doubts: Vec<Doubt>,
     pub place: Option<Place>,
     /// The offset from a point of the map to the level, in pixels, after scaling.
     pub shift: (i32, i32),
 }
 
-/// A drawing whose effect its author has hardly meant.
+/// A drawing with an effect that its author probably did not intend.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Doubt {
     pub who: String,
