@@ -78,7 +78,7 @@ impl First {
         };
         match (&slot.entry, &mut slot.feature) {
             (Some(first), Some(of)) if entry.same_as(first) && is_corner(feature) == is_corner(of) => {
-                merge(of, feature)
+                merge(of, feature);
             }
             (Some(first), Some(of)) if !before(first, of) => {}
             _ => slot.put(entry, feature),

@@ -62,7 +62,7 @@ mod unit {
     use crate::num::direction::{Normalised, unit_by, unit_nearest};
     use crate::num::inverse_root::{InverseRoot, div_sqrt};
     use crate::num::quotient::isqrt64;
-    use crate::num::{Axis, UnitVec2, sqr64};
+    use crate::num::{Axis, sqr64};
 
     /// Vectors of every size and of sides that differ by up to as much; those beside squares of
     /// lengths, and of halves of the last place.
