@@ -1,6 +1,6 @@
 //! Roots and quotients: one canonical integer algorithm each, without division.
 
-use super::wide::{LONG, mul64, umul};
+use super::wide::{LONG, SPLIT, imul, mul64, umul};
 
 /// `round(256 / sqrt((i + 0.5) / 128)) - 256` for i in 32..128, at most 255. Nothing asks for the
 /// first quarter, with which the top seven bits of a word are the index.
@@ -46,23 +46,28 @@ const fn rsqrt_seed(h: u32) -> u32 {
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 #[must_use]
 pub const fn rsqrt(h: u32) -> u32 {
+    if LONG {
+        let y = rsqrt_wide(h);
+        return if y > u32::MAX as u64 { u32::MAX } else { y as u32 };
+    }
     let y0 = min32(rsqrt_seed(h), 65535);
-    if super::wide::SPLIT {
-        // e / 2^31 is twice the seed's relative error: |e| < 2^20 for h in range.
-        let e = ((umul(h, y0 * y0) as i64).wrapping_sub(1i64 << 62) >> 31) as i32;
-        let e8 = e >> 8;
-        let second = ((e8.wrapping_mul(e8) >> 13).wrapping_mul((y0 >> 8) as i32)).wrapping_mul(3) >> 12;
+    // e / 2^31 is twice the seed's relative error: |e| < 2^20 for h in range.
+    let e = ((umul(h, y0 * y0) as i64).wrapping_sub(1i64 << 62) >> 31) as i32;
+    let e8 = e >> 8;
+    let second = ((e8.wrapping_mul(e8) >> 13).wrapping_mul((y0 >> 8) as i32)).wrapping_mul(3) >> 12;
+    if SPLIT {
         // floor(y0 e / 2^16) by two single multiplications: e = 256 e8 + its low byte.
         let low = ((y0 * (e as u32 & 0xff)) >> 8) as i32;
         let first = (y0 as i32).wrapping_mul(e8).wrapping_add(low) >> 8;
         (y0 << 16).saturating_add_signed(second.wrapping_sub(first))
     } else {
-        let y = rsqrt_wide(h);
-        if y > u32::MAX as u64 { u32::MAX } else { y as u32 }
+        let y = ((y0 as i64) << 16).wrapping_sub(imul(y0 as i32, e) >> 16).wrapping_add(second as i64);
+        if y > u32::MAX as i64 { u32::MAX } else { y as u32 }
     }
 }
 
-/// [`rsqrt`] in double words. Of 2^30 it is 2^32, for which a word has no room.
+/// [`rsqrt`] in double words, for 64-bit processors. Of 2^30 it is 2^32, for which a word has no
+/// room.
 ///
 /// The same sum, of which all parts are shifted at once: rounded up, as what is subtracted is
 /// rounded down.
@@ -243,7 +248,7 @@ pub(crate) const fn leading_zeros64(n: u64) -> u32 {
 #[inline]
 #[must_use]
 pub(crate) const fn leading_zeros32(n: u32) -> u32 {
-    if super::wide::SPLIT { ladder(n) } else { n.leading_zeros() }
+    if SPLIT { ladder(n) } else { n.leading_zeros() }
 }
 
 #[inline(never)]
@@ -304,7 +309,7 @@ pub const fn recip(d: u32) -> u32 {
     let y = ((t << 8) as i32).wrapping_add((t as i32).wrapping_mul(e >> 4) >> 12) as u32;
     // At most 131 064, and the result at most 2^32 - 16.
     let e2 = ((1u64 << 48).wrapping_sub(umul(d, y)) as i64 >> 17) as i32;
-    ((y as i64) << 15).wrapping_add(super::wide::imul(y as i32, e2) >> 16) as u32
+    ((y as i64) << 15).wrapping_add(imul(y as i32, e2) >> 16) as u32
 }
 
 /// The exact floor of `a * b / d`; `u32::MAX` where that does not fit, or `d` is zero.
