@@ -75,18 +75,22 @@ const fn at<const N: usize>(points: [(i16, i16); N]) -> [Vec2; N] {
     out
 }
 
+const fn paths([room, hill, shard, needle, steps]: [&'static [Vec2]; 5]) -> [Path<'static>; 5] {
+    [
+        Path::new(PathKind::Wall, room),
+        Path::new(PathKind::Solid, hill),
+        Path::new(PathKind::Solid, shard),
+        Path::new(PathKind::Wall, needle),
+        Path::new(PathKind::OneWay, steps),
+    ]
+}
+
 const ROOM: [Vec2; 5] = at([(4, 4), (4, 220), (220, 220), (220, 4), (4, 4)]);
 const HILL: [Vec2; 5] = at([(20, 200), (60, 160), (90, 180), (140, 150), (150, 210)]);
 const SHARD: [Vec2; 3] = at([(150, 60), (205, 30), (160, 80)]);
 const NEEDLE: [Vec2; 2] = at([(60, 40), (100, 90)]);
 const STEPS: [Vec2; 4] = at([(170, 120), (185, 115), (200, 120), (210, 130)]);
-const PATHS: [Path<'static>; 5] = [
-    Path::new(PathKind::Wall, &ROOM),
-    Path::new(PathKind::Solid, &HILL),
-    Path::new(PathKind::Solid, &SHARD),
-    Path::new(PathKind::Wall, &NEEDLE),
-    Path::new(PathKind::OneWay, &STEPS),
-];
+const PATHS: [Path<'static>; 5] = paths([&ROOM, &HILL, &SHARD, &NEEDLE, &STEPS]);
 segment_map!(static SEGMENTS: PATHS, Fx::const_from_int(32));
 
 const fn all_fine<const N: usize>(mut points: [Vec2; N]) -> [Vec2; N] {
@@ -102,13 +106,7 @@ const FINE_HILL: [Vec2; 5] = all_fine(HILL);
 const FINE_SHARD: [Vec2; 3] = all_fine(SHARD);
 const FINE_NEEDLE: [Vec2; 2] = all_fine(NEEDLE);
 const FINE_STEPS: [Vec2; 4] = all_fine(STEPS);
-const FINE_PATHS: [Path<'static>; 5] = [
-    Path::new(PathKind::Wall, &FINE_ROOM),
-    Path::new(PathKind::Solid, &FINE_HILL),
-    Path::new(PathKind::Solid, &FINE_SHARD),
-    Path::new(PathKind::Wall, &FINE_NEEDLE),
-    Path::new(PathKind::OneWay, &FINE_STEPS),
-];
+const FINE_PATHS: [Path<'static>; 5] = paths([&FINE_ROOM, &FINE_HILL, &FINE_SHARD, &FINE_NEEDLE, &FINE_STEPS]);
 segment_map!(static FINE_SEGMENTS: FINE_PATHS, Fx::const_from_int(256));
 
 /// One-way faces are solid to what is in front of them.

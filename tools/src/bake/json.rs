@@ -90,8 +90,13 @@ impl Baked {
 
     /// Drawings that are not part of the level.
     pub fn ignored(&self) -> Vec<String> {
+        self.left_out(|_| true)
+    }
+
+    /// The same, of the objects these.
+    fn left_out(&self, wanted: impl Fn(&LeftOut) -> bool) -> Vec<String> {
         let mut seen = HashSet::new();
-        let objects = self.ground.left_out.iter().map(told);
+        let objects = self.ground.left_out.iter().filter(|object| wanted(object)).map(told);
         self.ground.ignored.iter().cloned().chain(objects).filter(|line| seen.insert(line.clone())).collect()
     }
 
@@ -112,10 +117,8 @@ impl Baked {
 
     /// Drawings that are in no output.
     pub fn unused(&self) -> Vec<String> {
-        let known: Vec<String> = self.ground.left_out.iter().filter(|o| o.suspicious).map(told).collect();
-        let listed = self.listed();
-        let unlisted = self.ignored().into_iter().filter(|line| !listed.contains(line) && !known.contains(line));
-        unlisted.chain(things::lost(&self.ground.left_out)).collect()
+        let silent = self.left_out(|object| !object.is_listed() && !object.suspicious);
+        silent.into_iter().chain(things::lost(&self.ground.left_out)).collect()
     }
 
     /// Bytes of tiles, of the table of kinds and of segments.
