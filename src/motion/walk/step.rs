@@ -21,7 +21,7 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
             return false;
         }
         let start = self.run.here();
-        let (room, _) = self.shift(along(self.up, self.walker.step));
+        let (room, ..) = self.shift(along(self.up, self.walker.step));
         self.run.put_back(start);
         let least = self.least(room, forward);
         // A step thinner than a leg is passed over its top.
@@ -59,9 +59,9 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
             return false;
         }
         let bounds = self.run.moved.body.bounds();
-        let (made, rest) = self.shift(forward);
+        let (made, rest, hit) = self.shift(forward);
         if made.is_zero() {
-            return self.goes_on(forward, raised);
+            return hit.is_some_and(|hit| self.goes_on(&hit, raised));
         }
         if B::MEETS_CORNERS && self.passes_one_way(&bounds, made) {
             return false;
@@ -80,11 +80,10 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
         true
     }
 
-    /// Whether the step goes on as a slope. A body that is raised by its exact height then touches
-    /// the slope, and has no way forward but along it.
-    fn goes_on(&mut self, forward: Raw, raised: Raw) -> bool {
-        let Some(hit) = self.run.look(self.world, forward) else { return false };
-        let Some(floor) = self.walker.mover.support(&hit).filter(|floor| !floor.one_way) else { return false };
+    /// Whether the step goes on as a slope, the hit of the way forward. A body that is raised by
+    /// the step's exact height then touches the slope, and has no way forward but along it.
+    fn goes_on(&mut self, hit: &Ground, raised: Raw) -> bool {
+        let Some(floor) = self.walker.mover.support(hit).filter(|floor| !floor.one_way) else { return false };
         let before = core::mem::replace(&mut self.floor, floor.axis);
         let along = self.velocity(self.run.rest);
         if self.run.look(self.world, along).is_some_and(|next| way(next.drop()) <= NEAR) {
@@ -131,16 +130,19 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
         self.walker.mover.support(&beyond)
     }
 
-    /// Moves as far as the way is free and in the domain. Returns the motion, and the time left.
-    fn shift(&mut self, d: Raw) -> (Raw, Toi) {
+    /// Moves as far as the way is free and in the domain. Returns the motion, the time left, and
+    /// the hit.
+    fn shift(&mut self, d: Raw) -> (Raw, Toi, Option<Ground>) {
         // A way counts as free only if it has been looked at.
         let d = within(&self.run.moved.body.bounds(), d);
-        match self.run.look(self.world, d) {
+        let hit = self.run.look(self.world, d);
+        let (made, rest) = match &hit {
             Some(Ground { entry, .. }) => {
                 let left = mul_div(self.run.rest.raw(), entry.den - entry.num, entry.den);
-                (self.run.advance(self.world, d, &entry), Toi::clamped(left))
+                (self.run.advance(self.world, d, entry), Toi::clamped(left))
             }
             None => (self.run.commit(self.world, d, &[d]), Toi::ZERO),
-        }
+        };
+        (made, rest, hit)
     }
 }
