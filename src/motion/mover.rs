@@ -357,7 +357,7 @@ impl<S: Law> Mover<S> {
             self.slide::<W, B, false>(world, &mut run, first)?;
         }
         run.end::<W>();
-        Ok(moved)
+        moved.told()
     }
 
     pub(super) fn start<'m, W: World, B: Body>(

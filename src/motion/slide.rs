@@ -122,7 +122,9 @@ impl<S: Law> Mover<S> {
         let passes = run.pass_one_way || self.passes_one_way();
         let first = hit.is_some() && core::mem::take(&mut run.is_first);
         let mut of_hit = None;
-        let mut ways = Ways::none();
+        let mut list = [Way::NONE; Ways::MAX];
+        let mut near = [Ways::NOTHING; Ways::NEAR];
+        let mut ways = Ways::none(&mut list, &mut near);
         if let Some((entry, _)) = hit {
             run.came |= way(made) > NEAR;
             // The hit is passed on too: if the body had to stay back from it, it is not near.
@@ -151,7 +153,7 @@ impl<S: Law> Mover<S> {
         let of_face = of_hit.filter(|_| !(B::ANGULAR && hit.is_some_and(|(entry, _)| entry.at_end)));
         let normal = of_face.map_or(Axis::new(0, 0), |plane| plane.normal);
         if let Some(way) = run.choose(world, &mut ways, normal, passes) {
-            let v = run.follow_way::<W, S>(&way, &self.surface);
+            let v = run.follow_way::<W, S>(way, &self.surface);
             if run.flew {
                 run.before = v;
             }
@@ -209,7 +211,7 @@ impl<S: Law> Mover<S> {
 
     /// Records what else holds a body that stops: the hit of the longest way that led nowhere.
     #[inline(never)]
-    fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) {
+    fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways<'_>) {
         run.moved.work.iterations += 1;
         for probe in run.shut.iter() {
             let mut first = First::none();
@@ -309,7 +311,7 @@ impl<B: Body> Run<'_, B> {
 
     /// Moves along a touched surface if all ways are bound, but not in the very last position.
     /// Returns whether there was a way left to try.
-    fn creep_along<W: World>(&mut self, ways: &Ways) -> bool {
+    fn creep_along<W: World>(&mut self, ways: &Ways<'_>) -> bool {
         for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
             let d = self.along_plane::<W>(on.v, on.along);
             if !self.shut.holds(on.probe()) && !d.is_zero() && check_inside(&self.moved.body.bounds(), d).is_ok() {
@@ -324,16 +326,18 @@ impl<B: Body> Run<'_, B> {
     /// binds those, any free way: the body may be beside the surface that it hit, at its end or by
     /// the rounding of its position. A body without area is beside nothing: it may stand where two
     /// surfaces touch and leave no face.
-    fn choose<W: World>(&self, world: &W, ways: &mut Ways, hit: Axis, passes: bool) -> Option<Way> {
+    fn choose<'w, W: World>(&self, world: &W, ways: &'w mut Ways<'_>, hit: Axis, passes: bool) -> Option<&'w Way> {
         let body = &self.moved.body;
         let is_shut = |way: &Way| self.shut.holds(way.probe());
         let leads_out = |way: &Way| into(way.v, hit) >= 0;
         let (thin, leads) = (margin(&body.bounds()) != 0, ways.iter().any(leads_out));
         let out = ways.first_free(world, body, passes, &|way| leads_out(way) && !is_shut(way));
-        if out.is_some() || thin {
-            return out;
-        }
-        ways.first_free(world, body, passes, &|way| (leads || way.along.is_some()) && !is_shut(way))
+        let free = if out.is_some() || thin {
+            out
+        } else {
+            ways.first_free(world, body, passes, &|way| (leads || way.along.is_some()) && !is_shut(way))
+        };
+        ways.way(free?)
     }
 
     /// Gives the velocity another direction, and the rest of the motion with it.

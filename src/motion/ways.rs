@@ -12,23 +12,24 @@ use super::moved::Hits;
 use super::order::First;
 use super::plane::{FAR, NEAR, across, into, long, project, way};
 use super::response::Smooth;
-use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
-use crate::world::{Feature, Geometry, World, normal};
-use core::array::from_fn;
+use crate::num::{Axis, Raw, Toi, Vec2, cmp_squares, mul_div, umul};
+use crate::world::{Cell, Feature, Geometry, World, normal};
 use core::cmp::Ordering;
 use core::ops::Range;
 
 /// A way on.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub(super) struct Way {
     /// The plane that it is along; `None` for the velocity itself.
     pub(super) along: Option<Plane>,
     /// The velocity at its start.
     pub(super) v: Raw,
-    /// Whether the projected velocity leads into the plane.
-    presses: bool,
     /// A displacement in its direction, long enough to find what blocks it.
     probe: Raw,
+    /// Whether the projected velocity leads into the plane. Behind the words, as in a
+    /// [`Hit`](super::Hit).
+    presses: bool,
     /// How far it leads before a surface binds it: up to [`FAR`], [`FREE`](Self::FREE), or
     /// [`UNKNOWN`](Self::UNKNOWN).
     room: u8,
@@ -37,6 +38,11 @@ pub(super) struct Way {
 impl Way {
     const FREE: u8 = u8::MAX;
     const UNKNOWN: u8 = u8::MAX - 1;
+    /// An unused place of a list.
+    pub(super) const NONE: Self = Self::of(None, Raw::ZERO, Raw::ZERO, false);
+    const fn of(along: Option<Plane>, v: Raw, probe: Raw, presses: bool) -> Self {
+        Self { along, v, probe, presses, room: Self::UNKNOWN }
+    }
 
     pub(super) fn is_free(&self) -> bool {
         self.room == Self::FREE
@@ -80,7 +86,7 @@ impl Way {
     /// The length of its part of a velocity, before rounding: `along / |normal|`. Computed when
     /// needed, which makes a list of ten 160 bytes of stack shorter.
     fn length(&self, of: Raw) -> (u64, u64) {
-        self.along.map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
+        self.along.as_ref().map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
     }
 
     /// Whether it is longer than another projection, if the rounded velocities show that. They
@@ -100,7 +106,7 @@ impl Way {
     /// not, the one longer along x goes first, then +. Then the planes decide in the same way. The
     /// order of visits never decides.
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
-        let (Some(p), Some(q)) = (self.along, other.along) else { return self.along.is_none() };
+        let (Some(p), Some(q)) = (&self.along, &other.along) else { return self.along.is_none() };
         let [n, m] = [p, q].map(|plane| Raw { x: plane.normal.x, y: plane.normal.y });
         // Sides of a box and ends of faces often have a face's normal. Their lengths are equal.
         let lengths = if n == m || n == m.reversed() {
@@ -145,31 +151,28 @@ fn part(c: i32, entry: &Entry) -> i32 {
     if c < 0 { part.wrapping_neg() } else { part }
 }
 
-/// The ways on from a place, the longest first.
-pub(super) struct Ways {
-    ways: [Option<Way>; Self::MAX],
-    near: Near,
+/// The ways on from a place, the longest first. The caller has the lists, 520 bytes: made as parts
+/// of another value they would be copied.
+pub(super) struct Ways<'l> {
+    list: &'l mut [Way; Ways::MAX],
+    len: usize,
+    near: Near<'l>,
 }
 
 /// The features within [`FAR`] of a body, read once for all ways.
 ///
-/// Nine in ten bodies that choose a way are near three or four features. If there are more, the
-/// level is read again. Room for six would take 80 bytes of stack, for 18 % fewer instructions in
-/// one frame in a thousand.
-struct Near {
-    features: [Option<Feature>; 4],
+/// Nine in ten bodies that choose a way are near three or four; with more, the level is read again.
+/// Room for six takes 80 bytes of stack, for 18 % less in one frame in a thousand.
+struct Near<'l> {
+    features: &'l mut [Feature; Ways::NEAR],
+    len: usize,
     all: bool,
 }
 
-impl Near {
-    fn clear(&mut self) {
-        self.features.iter_mut().for_each(|slot| *slot = None);
-        self.all = true;
-    }
-
+impl Near<'_> {
     fn push(&mut self, feature: &Feature) {
-        match self.features.iter_mut().find(|slot| slot.is_none()) {
-            Some(slot) => *slot = Some(*feature),
+        match self.features.get_mut(self.len) {
+            Some(slot) => (*slot, self.len) = (*feature, self.len + 1),
             None => self.all = false,
         }
     }
@@ -178,17 +181,15 @@ impl Near {
     #[inline(never)]
     fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
         if self.all {
-            self.features.iter().filter_map(Option::as_ref).for_each(visit);
+            self.features.iter().take(self.len).for_each(visit);
         } else {
             each_near(world, body, passes, visit);
         }
     }
 }
 
-/// Reads the features within [`FAR`] of a body's bounds.
-///
-/// It calls the visitor through a pointer: three copies of the walk over a level took 2 KB of
-/// flash.
+/// Reads the features within [`FAR`] of a body's bounds. It calls the visitor through a pointer:
+/// three copies of the walk over a level took 2 KB of flash.
 #[inline(never)]
 fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
     let region = surroundings(&body.bounds(), FAR);
@@ -200,25 +201,27 @@ fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut d
     }
 }
 
-impl Ways {
+impl<'l> Ways<'l> {
     /// The velocity itself; at most six along x and y, which faces and their ends give on both
-    /// sides; and three slopes or corners. With eight, a body in a gap as wide as itself lost the
-    /// way up a slope: 24 dead stops in ten million random frames. In levels of many small segments
-    /// there may be more; the shortest are then left out.
-    const MAX: usize = 10;
+    /// sides; three slopes or corners. With eight, 24 bodies in gaps as wide as themselves stopped
+    /// dead in ten million random frames. If there are more, the shortest are left out.
+    pub(super) const MAX: usize = 10;
+    pub(super) const NEAR: usize = 4;
+    /// An unused place of the list of features.
+    pub(super) const NOTHING: Feature = {
+        let geometry = Geometry::Vertex { p: Vec2::ZERO, e_in: Axis::X, e_out: Axis::X };
+        Feature { geometry, cell: Cell::of(0, 0), index: 0, flags: 0, one_way: false, source: 0 }
+    };
 
-    /// Empty slots one by one: an empty list as a constant would be copied as a whole.
-    #[inline(never)]
-    pub(super) fn none() -> Self {
-        Self { ways: from_fn(|_| None), near: Near { features: from_fn(|_| None), all: true } }
+    #[inline]
+    pub(super) fn none(list: &'l mut [Way; Ways::MAX], features: &'l mut [Feature; Ways::NEAR]) -> Self {
+        Self { list, len: 0, near: Near { features, len: 0, all: true } }
     }
 
     /// Reads the ways of a velocity from the body's position, and along the surface that was hit,
     /// in the remaining time. It does not find out yet which are free. Returns whether there is
     /// nothing within [`FAR`] but the face that was hit. The way along that face is then free, and
     /// the velocity leads into it.
-    ///
-    /// In place: the list takes about 700 bytes, and a chip has no room for a copy.
     #[inline(never)]
     pub(super) fn read<W: World, B: Body>(
         &mut self,
@@ -228,11 +231,8 @@ impl Ways {
         hit: Option<Plane>,
         passes: bool,
     ) -> bool {
-        for slot in &mut self.ways {
-            *slot = None;
-        }
-        self.near.clear();
-        self.add(&mut Way { along: None, v, presses: false, probe: long(v), room: Way::UNKNOWN }, v);
+        (self.len, self.near.len, self.near.all) = (0, 0, true);
+        self.add(&mut Way::of(None, v, long(v), false), v);
         let mut alone = true;
         each_near(world, body, passes, &mut |feature| {
             let touches = touched::<W, B>(body, feature, &mut |plane| {
@@ -260,9 +260,9 @@ impl Ways {
     /// a gap exactly as wide as the body.
     fn consider_gaps<W: World, B: Body>(&mut self, v: Raw, time: Toi) {
         // An added way moves others back by one: some pairs come twice, and none is left out.
-        for k in 0..Self::MAX {
+        for k in 0..Ways::MAX {
             let Some(a) = self.corner(k) else { continue };
-            for j in k + 1..Self::MAX {
+            for j in k + 1..Ways::MAX {
                 let Some(b) = self.corner(j).filter(|b| a.dot(*b) < 0) else { continue };
                 let normal = Axis::new(a.x.wrapping_sub(b.x), a.y.wrapping_sub(b.y));
                 self.consider::<W, B>(Plane { normal, bend: Bend::End }, v, time);
@@ -303,51 +303,49 @@ impl Ways {
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
             let presses = into(v, n) < 0;
-            self.add(&mut Way { along: Some(plane), v: along, presses, probe, room: Way::UNKNOWN }, v);
+            self.add(&mut Way::of(Some(plane), along, probe, presses), v);
         }
     }
 
     fn add(&mut self, way: &mut Way, of: Raw) {
-        for slot in &mut self.ways {
-            match slot {
-                None => {
-                    *slot = Some(*way);
-                    return;
-                }
-                Some(other) if way.goes_before(other, of) => core::mem::swap(other, way),
-                Some(_) => {}
+        for other in self.list.iter_mut().take(self.len) {
+            if way.goes_before(other, of) {
+                (*other, *way) = (*way, *other);
             }
+        }
+        if let Some(slot) = self.list.get_mut(self.len) {
+            (*slot, self.len) = (*way, self.len + 1);
         }
     }
 
     /// Frees all ways: nothing else is near, so nothing binds them.
     pub(super) fn free(&mut self) {
-        self.ways.iter_mut().filter_map(Option::as_mut).for_each(|way| way.room = Way::FREE);
+        self.list.iter_mut().for_each(|way| way.room = Way::FREE);
     }
 
     /// Finds out how far each way leads.
     pub(super) fn settle_all<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
-        self.settle::<W, B>(world, body, passes, 0..Self::MAX);
+        self.settle::<W, B>(world, body, passes, 0..self.len);
     }
 
     /// Finds out how far some of the ways lead, unless that is already known.
     #[inline(never)]
     fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
-        let Some(ways) = self.ways.get_mut(which) else { return };
+        let Some(ways) = self.list.get_mut(which) else { return };
         let mut any = false;
-        for way in ways.iter_mut().filter_map(Option::as_mut).filter(|way| way.room == Way::UNKNOWN) {
+        for way in ways.iter_mut().filter(|way| way.room == Way::UNKNOWN) {
             (way.room, any) = (Way::FREE, true);
         }
         if any {
             self.near.each(world, body, passes, &mut |feature| {
-                for way in ways.iter_mut().filter_map(Option::as_mut) {
+                for way in ways.iter_mut() {
                     way.bind_by::<W, B>(body, feature);
                 }
             });
         }
     }
 
-    /// The longest free way of those that `asked` accepts.
+    /// Which is the longest free way of those that `asked` accepts.
     ///
     /// It settles them one by one, because the first is usually free. If each would read the level
     /// again, it settles all at once.
@@ -358,19 +356,21 @@ impl Ways {
         body: &B,
         passes: bool,
         asked: &dyn Fn(&Way) -> bool,
-    ) -> Option<Way> {
+    ) -> Option<usize> {
         if !self.near.all {
             self.settle_all(world, body, passes);
         }
-        (0..Self::MAX).find_map(|k| {
-            self.way(k).filter(|way| asked(way))?;
+        (0..self.len).find(|&k| {
+            if !self.way(k).is_some_and(asked) {
+                return false;
+            }
             self.settle::<W, B>(world, body, passes, k..k + 1);
-            self.way(k).filter(|way| way.is_free()).copied()
+            self.way(k).is_some_and(Way::is_free)
         })
     }
 
-    fn way(&self, k: usize) -> Option<&Way> {
-        self.ways.get(k)?.as_ref()
+    pub(super) fn way(&self, k: usize) -> Option<&Way> {
+        self.list.get(k).filter(|_| k < self.len)
     }
 
     /// The other surface that binds a way: the first touched one that its probe meets and that the
@@ -392,7 +392,7 @@ impl Ways {
 
     /// They fill the first slots.
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
-        self.ways.iter().map_while(Option::as_ref)
+        self.list.iter().take(self.len)
     }
 
     /// Whether the body still touches a plane that it has run along, if that is a face.
@@ -412,7 +412,7 @@ mod tests {
 
     fn way(v: Raw, n: Axis) -> Way {
         let v = project::<Circle, TileMap<'static, AllShapes>, _>(v, n, &Smooth);
-        Way { along: Some(Plane::flat(n)), v, presses: false, probe: v, room: Way::UNKNOWN }
+        Way::of(Some(Plane::flat(n)), v, v, false)
     }
 
     /// Rounded lengths never say the opposite of the exact ones. The second normal is often the
