@@ -39,7 +39,8 @@ impl SlopeLimit {
         } else if up.y == 0 {
             (i64::from(if up.x < 0 { normal.x.wrapping_neg() } else { normal.x }), normal.y.into())
         } else {
-            (normal.dot(up), normal.perp_dot(up))
+            // Both as one function.
+            (normal.dot(up), normal.perp().dot(up))
         };
         let (a, c) = (along.unsigned_abs(), across.unsigned_abs());
         // 45 degrees, the default, need no product.

@@ -243,6 +243,7 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     /// The displacement that the velocity makes in a part of the call's time.
+    #[inline(never)]
     pub(super) fn made_in(&self, time: Toi) -> Raw {
         Raw { x: time.of_raw(self.v.x), y: time.of_raw(self.v.y) }
     }

@@ -1,6 +1,7 @@
 //! The boolean kernels, on raw values: strict where `CLOSED` is false, closed where it is true.
 
 use crate::num::{LONG, Raw, SPLIT, less128, mul64, sqr_signed, usqr};
+use core::cmp::Ordering;
 
 /// `a < b`, or `a <= b` for closed sets.
 #[inline]
@@ -54,7 +55,11 @@ pub(super) const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> b
     // |v| >= (x + y)/sqrt(2), and this is at least 23/16 r > sqrt(2) r for r > 0: from there on a point is outside the closed disc as
     // well. r = 0 does not get here: strict, no square has a point; closed, it was accepted.
     let outer = r.wrapping_add(r.wrapping_add(1) >> 1).wrapping_sub(r >> 4);
-    sum < outer && squares_out_of_line::<CLOSED>(x, y, r)
+    if sum >= outer {
+        return false;
+    }
+    let order = squares_out_of_line(x, y, r);
+    order.is_lt() || (CLOSED && order.is_eq())
 }
 
 #[inline]
@@ -63,10 +68,17 @@ pub(super) const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bo
     square < limit || (CLOSED && square == limit)
 }
 
-/// A call: the frequent cases then need no registers saved.
+/// A call, one for both: the frequent cases then need no registers saved.
 #[inline(never)]
-const fn squares_out_of_line<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
-    by_squares::<CLOSED>(x, y, r)
+const fn squares_out_of_line(x: u32, y: u32, r: u32) -> Ordering {
+    let (square, limit) = (usqr(x).wrapping_add(usqr(y)), usqr(r));
+    if square < limit {
+        Ordering::Less
+    } else if square == limit {
+        Ordering::Equal
+    } else {
+        Ordering::Greater
+    }
 }
 
 /// Circle against circle: the point `b - a` against a disc of the sum of the radii.

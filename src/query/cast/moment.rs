@@ -207,7 +207,8 @@ pub(super) fn pass(u: i64, du: i64, cross: impl FnOnce() -> i64) -> Pass {
 }
 
 /// Whether it is beyond at T. The face's direction has the length whose square is `len2`.
-#[inline]
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn passes_in_time(cross: i64, du: i64, len2: u64, r: i32) -> bool {
     let order = cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r as u32)));
     // s <= T on the way to the face, else T <= s.

@@ -258,18 +258,20 @@ impl Tile {
     /// The ends of a one-way face beside which something that blocks from its side continues.
     #[inline(never)]
     fn one_way_joined<M: TileSource>(&self, map: &M, k: u8) -> [bool; 2] {
-        // Solid at the corner or along the half of its side there, or with the same edge, not
-        // covered from its other side.
-        let goes_on = |side: u8, diagonal: u8, corner: u8, half: u8| {
-            let beside = at(&self.beside, side);
-            if TileKind::of(beside).one_way_side() == Some(k) {
-                return self.diagonal(map, diagonal).outline().covers >> (2 * k) & half == 0;
-            }
-            let tile = beside.outline();
-            tile.halves(k) & half != 0 || tile.corner(corner) as u16 != 0
-        };
         let halves = self.faces >> (2 * k);
-        [halves & 1 != 0 && goes_on(k + 3, k, k + 1, 2), halves & 2 != 0 && goes_on(k + 1, k + 1, k, 1)]
+        [0, 1].map(|end| halves >> end & 1 != 0 && self.one_way_goes_on(map, k, end))
+    }
+
+    /// Solid at the corner or along the half of its side there, or with the same edge, not covered
+    /// from its other side.
+    #[inline(never)]
+    fn one_way_goes_on<M: TileSource>(&self, map: &M, k: u8, end: u8) -> bool {
+        let (beside, half) = (at(&self.beside, k + 3 + 2 * end), 2 - end);
+        if TileKind::of(beside).one_way_side() == Some(k) {
+            return self.diagonal(map, k + end).outline().covers >> (2 * k) & half == 0;
+        }
+        let tile = beside.outline();
+        tile.halves(k) & half != 0 || tile.corner(k + 1 - end) as u16 != 0
     }
 }
 
