@@ -253,7 +253,7 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
     #[inline(never)]
     fn meet_one_way(&mut self, block: &Block) {
         let Some(face) = &self.world.one_way_face(block) else { return };
-        self.add(self.body.sweep_block(self.d, face).as_ref(), face);
+        self.add(self.body.sweep_in::<W>(self.d, face).as_ref(), face);
     }
 
     fn add(&mut self, entry: Option<&Entry>, found: &Feature) {

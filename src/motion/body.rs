@@ -254,7 +254,7 @@ pub(super) mod kernel {
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
         /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels link.
-        #[inline]
+        #[inline(never)]
         fn sweep_in<W: World>(&self, d: Raw, feature: &Feature) -> Option<Entry> {
             if W::BLOCKS {
                 self.sweep_block(d, feature)
