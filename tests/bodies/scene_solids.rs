@@ -74,9 +74,13 @@ fn play(kinds: i64, seed: u64, seen: &mut Seen) {
                 bodies.push(SceneBody::<Any>::of(body, key));
             }
         }
-        bodies.iter().for_each(|body| assert!(one.insert(body).is_ok()));
+        for body in &bodies {
+            assert!(one.insert(body).is_ok());
+        }
         r.shuffle(&mut bodies);
-        bodies.iter().for_each(|body| assert!(two.insert(body).is_ok()));
+        for body in &bodies {
+            assert!(two.insert(body).is_ok());
+        }
         for _ in 0..30 {
             steer(&mut list, &mut r);
             let (before, mut told) = (all(&one), Vec::new());
@@ -227,7 +231,7 @@ fn a_pile_rests_on_a_lift() {
             lift[0] = lift[0].with_motion(vec2(m)).unwrap();
             scene
                 .ride(&level, &mut lift, gravity, Fx::from_bits(CELL as i32), |_, ride| {
-                    assert_eq!(ride, Ok(Ride::Carried))
+                    assert_eq!(ride, Ok(Ride::Carried));
                 })
                 .unwrap();
             at = (at.0 + m.0, at.1 + m.1);
@@ -283,7 +287,9 @@ fn bullets_hit_moving_walls() {
         let mut at = (0, 0);
         for frame in 0..100 {
             let m = (r.around(6 << 16), r.around(6 << 16));
-            list.iter_mut().for_each(|wall| *wall = wall.with_motion(vec2(m)).unwrap());
+            for wall in &mut list {
+                *wall = wall.with_motion(vec2(m)).unwrap();
+            }
             scene
                 .ride(&level, &mut list, Vec2::ZERO, Fx::ZERO, |_, ride| {
                     assert!(matches!(ride, Ok(Ride::Pushed { .. })), "{ride:?}");
