@@ -5,6 +5,7 @@ use super::feel::{Input, Outcome, Step};
 use super::{Body, Character, MoveError, Mover, Ridden, Ride};
 use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
+use crate::shape::Aabb;
 use crate::world::{ConvexSolid, ConvexSolids, Joined, Solid, SolidShape, Solids, World, sealed};
 
 /// A kind of solid that a [`Character`] rides on: a [`Solid`] or a [`ConvexSolid`]. Sealed.
@@ -19,6 +20,10 @@ pub trait MovingSolid: Copy + sealed::Sealed {
 
     #[doc(hidden)]
     fn move_each(list: &mut [Self]);
+
+    /// The region that it passes in this frame. `None` if it moves nothing.
+    #[doc(hidden)]
+    fn reach(&self) -> Option<Aabb>;
 
     #[doc(hidden)]
     fn ride<W: World, B: Body>(
@@ -46,6 +51,10 @@ macro_rules! moving_solids {
 
             fn move_each(list: &mut [Self]) {
                 Self::move_all(list);
+            }
+
+            fn reach(&self) -> Option<Aabb> {
+                self.passes()
             }
 
             fn ride<W: World, B: Body>(

@@ -2,9 +2,9 @@
 //! each.
 
 use super::Shape;
-use super::drift::Drift;
 use super::kernel::BodyShape;
 use super::way::BodyWay;
+use super::way::Drift;
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::{Responses, Surface};

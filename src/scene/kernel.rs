@@ -7,12 +7,32 @@ use crate::query::{Contacts, MovingHit, Overlaps, Touches};
 use crate::shape::{Aabb, Circle};
 use core::fmt::Debug;
 
-/// The shapes that bodies of a scene can have: [`Shape`](super::Shape), or
-/// [`WithCapsules`](super::WithCapsules).
+/// The shapes that bodies of a scene can have: [`Shape`](super::Shape),
+/// [`WithCapsules`](super::WithCapsules), or [`AnyShape`](crate::shape::AnyShape).
 ///
 /// It is a parameter of [`Scene`](crate::Scene) and [`SceneBody`](super::SceneBody), as the set of
 /// tile shapes is one of [`TileMap`](crate::TileMap): a scene of boxes and circles links no
-/// capsules.
+/// capsules. With `AnyShape` there are turned boxes, polygons and slanted capsules. Each pair then
+/// costs that of two polygons, and bodies do not turn.
+///
+/// ```
+/// use tilesat::broad::SortSweep;
+/// use tilesat::scene::{SceneBody, SceneTag};
+/// use tilesat::shape::AnyShape;
+/// use tilesat::{Aabb, Axis, OrientedBox, Scene, TileKind, TileKinds, TileMap, Vec2};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let level = TileMap::from_ascii("....\n....\n....\n####\n", &KINDS)?; // the floor is at y = 48
+/// let mut scene = Scene::<SortSweep<8, SceneTag>, 8, 0, AnyShape<4>>::new(SortSweep::new());
+/// let diamond = OrientedBox::new(Vec2::from_ints(32, 20), Vec2::from_ints(5, 5), Axis::new(3, 4))?;
+/// let diamond = scene.insert(&SceneBody::of(diamond, 1))?;
+/// let crate_ = scene.insert(&SceneBody::of(Aabb::new(Vec2::from_ints(26, 2), Vec2::from_ints(38, 10))?, 2))?;
+/// for _ in 0..120 {
+///     scene.step(&level, Vec2::from_raw(0, 6_554), |_| {})?;
+/// }
+/// assert_eq!(scene.body(diamond)?.shape.aabb().max().y, 48); // it stands on its corner
+/// assert_eq!(scene.body(crate_)?.shape.aabb().max().y, 34); // and the crate lies on the other one
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait BodyShape: Kernel {}

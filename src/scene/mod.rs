@@ -84,10 +84,9 @@
 //!   Balls that lie askew overlap by a raw unit.
 //! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
 //!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
-//!   also wakes if you name a region that [changed](Scene::wake_region): a removed tile, or a
-//!   [`Solid`](crate::Solid) that moves, which stops bodies but does not push or carry them (a
-//!   fixed body does). Sensors wake nobody. A woken body wakes the bodies that it touches in the
-//!   next step, with the whole pile of those that touch each other.
+//!   also wakes if you name a region that [changed](Scene::wake_region), as by a removed tile, and
+//!   if a solid that [moves](Scene::ride) comes near it. Sensors wake nobody. A woken body wakes the
+//!   bodies that it touches in the next step, with the whole pile of those that touch each other.
 //!
 //! # Fast bodies
 //!
@@ -155,15 +154,18 @@
 //! # Games in a scene
 //!
 //! **Capsules** are bodies of a scene with [`WithCapsules`] as its last parameter. A scene of boxes
-//! and circles links none of their code.
+//! and circles links none of their code. **Turned boxes, polygons, slanted capsules** are bodies of
+//! a scene with [`AnyShape`](crate::shape::AnyShape) there.
 //!
-//! **Moving platforms** are `fixed` bodies that the game [places](crate::Scene::place), not
-//! [`Solid`](crate::Solid)s. In a scene a `Solid` only blocks: for one step it is part of the
-//! level. It does not push or carry; a body that it enters is [held](SceneEvent::Held).
+//! **Moving platforms** are [`Solid`](crate::Solid)s or
+//! [`ConvexSolid`](crate::world::ConvexSolid)s: [`ride`](crate::Scene::ride) moves them, with what
+//! they carry and push, and each step sees them in a [`Joined`](crate::Joined) level. Without `ride`
+//! a solid only blocks, and a body that it enters is [held](SceneEvent::Held).
 //!
-//! Set the platform's velocity, and place it *after* the step, in which the bodies on it move with
-//! it. That is all for up and down. Sideways it carries by friction, and *both* need friction: if
-//! two bodies meet, the surface that bounces more counts, or else the one with less friction. A
+//! They can also be `fixed` bodies that the game [places](crate::Scene::place). Those push by their
+//! velocity, and carry by friction. Set the platform's velocity, and place it *after* the step, in
+//! which the bodies on it move with it. That is all for up and down. Sideways *both* need friction:
+//! if two bodies meet, the surface that bounces more counts, or else the one with less friction. A
 //! conveyor is such a body that stays where it is.
 //!
 //! If you place a platform without setting its velocity, it pushes as it rises, and slides away
@@ -342,7 +344,6 @@
 
 mod body;
 mod change;
-mod drift;
 mod error;
 mod idle;
 mod kernel;
@@ -353,6 +354,7 @@ mod pairs;
 mod piles;
 mod reply;
 mod rest;
+mod ride;
 mod set;
 mod shape;
 mod snapshot;

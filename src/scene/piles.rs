@@ -6,7 +6,6 @@
 //! rest.
 
 use super::body::{ALOFT, FLIES, Mode, Slot};
-use super::drift::Drift;
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, carried, toward};
 use super::memory::{Place, keep, rest_mut};
@@ -14,6 +13,7 @@ use super::met::{around, may_meet, pair, senses};
 use super::reply::{Replies, Reply};
 use super::trip::{Trip, hold};
 use super::view::View;
+use super::way::Drift;
 use super::way::{Pace, size};
 use super::{Scene, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};

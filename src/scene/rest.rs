@@ -1,7 +1,7 @@
 //! A way through the level, and what is remembered of a body that makes it.
 
 use super::body::Slot;
-use super::drift::Drift;
+use super::way::Drift;
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
 

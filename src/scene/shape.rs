@@ -5,7 +5,7 @@ use crate::error::RangeError;
 use crate::motion::Body;
 use crate::num::{Raw, Vec2};
 use crate::query::{CastShape, Contact, Contacts, Inside, MovingHit, Overlaps, Touches};
-use crate::shape::{Aabb, Capsule, Circle};
+use crate::shape::{Aabb, AnyShape, Capsule, Circle};
 use crate::world::{World, probe};
 
 /// A box or a circle. Pair queries call the kernel of the two shapes.
@@ -280,3 +280,42 @@ shapes!(
     (Circle Aabb) (Circle Circle) (Circle Capsule)
     (Capsule Aabb) (Capsule Circle) (Capsule Capsule)
 );
+
+/// Bodies of every convex shape. A scene refuses segments, and other bodies without area.
+impl<const N: usize> BodyShape for AnyShape<N> {}
+
+impl<const N: usize> Kernel for AnyShape<N> {
+    const POINT: Self = Self::Aabb(Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO));
+
+    fn aabb(&self) -> Aabb {
+        self.aabb()
+    }
+
+    fn position(&self) -> Vec2 {
+        Body::position(self)
+    }
+
+    fn shifted(&self, by: Vec2) -> Self {
+        shifted(self, by)
+    }
+
+    fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
+        self.translated(by)
+    }
+
+    fn is_round(&self) -> bool {
+        !matches!(self, Self::Aabb(_))
+    }
+
+    fn check(&self) -> Result<(), RangeError> {
+        takes(self)
+    }
+
+    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
+        CastShape::cast_moving(self, by, other, other_by, Inside::Hit).ok().flatten()
+    }
+
+    fn visit<V: Visit<Self>>(&self, visit: V) -> V::Out {
+        visit.of(self)
+    }
+}

@@ -1,9 +1,9 @@
 //! The state that a scene carries from one step to the next, smaller than the scene.
 
 use super::body::{Mode, Slot, Tally};
-use super::drift::Drift;
 use super::kernel::BodyShape;
 use super::memory::Place;
+use super::way::Drift;
 use super::{Scene, SceneBody, Shape, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;

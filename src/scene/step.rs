@@ -286,7 +286,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Wakes the bodies that touch one of those woken since the list had `from` entries: a pile
     /// wakes as a whole.
     #[inline(never)]
-    fn wake_along(&mut self, from: usize, replies: &mut impl Replies) {
+    pub(super) fn wake_along(&mut self, from: usize, replies: &mut impl Replies) {
         let Self { near, slots, awake, count, .. } = self;
         let mut at = from;
         while let Some(&handle) = awake.get(..*count).and_then(|awake| awake.get(at)) {

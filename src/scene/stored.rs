@@ -1,9 +1,9 @@
 //! Scenes: what a snapshot has, where the scene and its broad phase have to agree.
 
 use super::body::{Mode, NOBODY};
-use super::drift::Drift;
 use super::kernel::BodyShape;
 use super::snapshot::{Kept, Snapshot};
+use super::way::Drift;
 use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Keyed};
 use crate::filter::Filter;

@@ -1,12 +1,12 @@
 //! The way of one body through the level.
 
 use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
-use super::drift::Drift;
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
 use super::memory::{Place, keep, known, note, rest_mut};
 use super::rest::{Causes, Made, Rest, Start};
 use super::view::{Sliding, View};
+use super::way::Drift;
 use super::way::{BodyWay, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle};

@@ -22,6 +22,7 @@ mod scene_rest;
 mod scene_rules;
 mod scene_sleep;
 mod scene_snapshot;
+mod scene_solids;
 mod scripts;
 mod sort_sweep;
 mod swept;

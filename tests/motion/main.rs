@@ -15,6 +15,7 @@ mod assist;
 mod by_flags;
 mod clear;
 mod convex_bodies;
+mod convex_rest;
 mod convex_views;
 mod convex_walks;
 mod floor;

@@ -16,7 +16,7 @@ use tilesat_judge::{Random, frames};
 
 const UP: Mover = Mover::platformer(Axis::NEG_Y);
 /// As in `motion_shape_scenes`; `d` and `b` are the sides of a dome, `s` and `S` steep slopes.
-const SHAPES: [(char, u8); 12] = [
+pub(super) const SHAPES: [(char, u8); 12] = [
     ('/', 8),
     ('\\', 9),
     ('l', 20),
@@ -32,16 +32,16 @@ const SHAPES: [(char, u8); 12] = [
 ];
 const CELLS: [i64; 6] = [256, 1022, 4096, 65536, 1 << 20, 24 << 16];
 
-const V: [&str; 5] = ["......", r"\..../", r"#\../#", r"##\/##", "######"];
-const ASYMMETRIC_V: [&str; 4] = ["......", r"\...lh", r"#\lh##", "######"];
-const MILD_V: [&str; 4] = ["......", "HL..lh", "##HLlh", "######"];
-const STEEP_V: [&str; 4] = [".S..s.", ".#Ss#.", ".####.", "######"];
-const U: [&str; 4] = ["#....#", "#....#", "#....#", "######"];
+pub(super) const V: [&str; 5] = ["......", r"\..../", r"#\../#", r"##\/##", "######"];
+pub(super) const ASYMMETRIC_V: [&str; 4] = ["......", r"\...lh", r"#\lh##", "######"];
+pub(super) const MILD_V: [&str; 4] = ["......", "HL..lh", "##HLlh", "######"];
+pub(super) const STEEP_V: [&str; 4] = [".S..s.", ".#Ss#.", ".####.", "######"];
+pub(super) const U: [&str; 4] = ["#....#", "#....#", "#....#", "######"];
 const BOWL: [&str; 4] = ["#..#", "#..#", "#()#", "####"];
-const DOMES: [&str; 4] = ["#..#", "#..#", "#db#", "####"];
-const GAP: [&str; 4] = ["......", "......", "##..##", "##..##"];
+pub(super) const DOMES: [&str; 4] = ["#..#", "#..#", "#db#", "####"];
+pub(super) const GAP: [&str; 4] = ["......", "......", "##..##", "##..##"];
 const NARROW_GAP: [&str; 4] = [".....", ".....", "##.##", "##.##"];
-const SLOPE_AND_WALL: [&str; 6] = ["...#", "...#", r"\..#", r"#\.#", r"##\#", "####"];
+pub(super) const SLOPE_AND_WALL: [&str; 6] = ["...#", "...#", r"\..#", r"#\.#", r"##\#", "####"];
 
 fn cases() -> u32 {
     tilesat_judge::cases(60)

@@ -220,6 +220,11 @@ impl<S: SolidShape> ConvexSolid<S> {
         &self.whole
     }
 
+    /// Where it is in this frame, unless it moves nothing.
+    pub(crate) fn passes(&self) -> Option<Aabb> {
+        (self.motion() != Some(Vec2::ZERO)).then_some(self.whole)
+    }
+
     /// The longest way of a corner in this frame, along x or y.
     pub(crate) fn longest(&self) -> u32 {
         match self.drive {

@@ -253,6 +253,12 @@ impl Solid {
         self.motion
     }
 
+    /// Where it is in this frame, unless it moves nothing.
+    pub(crate) fn passes(&self) -> Option<Aabb> {
+        let moves = self.motion != Vec2::ZERO || self.conveyor != Vec2::ZERO;
+        moves.then(|| self.shape.union(&self.moved().shape))
+    }
+
     pub(crate) const fn lo(&self) -> Raw {
         self.shape.lo()
     }

@@ -1,15 +1,20 @@
 //! A scene, with each broad phase, in each kind of level, with capsules and with memory.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::broad::{BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
+use tilesat::motion::Ride;
 use tilesat::prelude::*;
+use tilesat::scene::SceneFault;
 use tilesat::scene::{Reply, SceneEvent, SceneTag, Shape, Sleep, Snapshot, WithCapsules};
-use tilesat::world::{AllShapes, Joined, SegmentMap, Solids, TileMap, Trail};
-use tilesat::{Aabb, Capsule, Circle, Scene, SceneBody, Vec2};
+use tilesat::shape::AnyShape;
+use tilesat::world::{AllShapes, ConvexSolid, Joined, SegmentMap, Solids, TileMap, Trail};
+use tilesat::{Aabb, Capsule, Circle, Fx, Scene, SceneBody, Solid, Vec2};
 use tilesat_flash::keep;
 
 type Near = SortSweep<16, SceneTag>;
 type Pills = Scene<Near, 16, 0, WithCapsules>;
 type Remembering = Scene<Near, 16, 24>;
+type Any = Scene<Near, 16, 0, AnyShape<6>>;
+type Rides = fn(Handle, Result<Ride, SceneFault>);
 type Doors<'a> = Joined<'a, TileMap<'a, AllShapes>, Solids<'a>>;
 
 macro_rules! scenes {
@@ -86,6 +91,17 @@ fn sets() {
         |s: &mut Pills, l: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
         |s: &Pills, into: &mut Snapshot<Near, 16, WithCapsules>| s.snapshot_into(into);
         |s: &mut Pills, from: &Snapshot<Near, 16, WithCapsules>| s.restore(from);
+        |shape: AnyShape<6>, key: u32| SceneBody::<AnyShape<6>>::of(shape, key);
+        |s: &mut Any, body: &SceneBody<AnyShape<6>>| s.insert(body);
+        |s: &mut Any, h: Handle, shape: AnyShape<6>| s.place(h, shape);
+        |s: &mut Any, l: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+    }
+}
+
+fn rides() {
+    keep! {
+        |s: &mut Pills, l: &TileMap<'_, AllShapes>, solids: &mut [Solid], g: Vec2, follow: Fx, each: Rides| s.ride(l, solids, g, follow, each);
+        |s: &mut Any, l: &TileMap<'_, AllShapes>, solids: &mut [ConvexSolid<AnyShape<6>>], g: Vec2, follow: Fx, each: Rides| s.ride(l, solids, g, follow, each);
     }
 }
 
@@ -101,4 +117,4 @@ fn memory() {
     }
 }
 
-tilesat_flash::everything!(shapes, phases, levels, sets, memory);
+tilesat_flash::everything!(shapes, phases, levels, sets, rides, memory);

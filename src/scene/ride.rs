@@ -1,0 +1,251 @@
+//! Moving solids carry and push the bodies of a scene.
+
+use super::body::ALOFT;
+use super::kernel::{BodyShape, Visit};
+use super::meeting::toward;
+use super::memory::Place;
+use super::met::{around, may_meet, senses};
+use super::reply::Unasked;
+use super::{Scene, SceneError, SceneFault};
+use crate::broad::{BroadPhase, Handle, Keyed};
+use crate::error::{Quantity, RangeError};
+use crate::filter::Filter;
+use crate::motion::{Body, Mover, MovingSolid, Ride};
+use crate::num::{Fx, MOTION, Vec2};
+use crate::query::Touches;
+use crate::world::{Joined, World};
+use core::cmp::Reverse;
+
+/// How far from a solid a body may be that still stands on it, in raw units.
+const NEAR: u32 = 8;
+
+/// How far above another body a body may be that lies on it: steps round by that much.
+const GAP: i32 = 2;
+
+/// What a ride does with a body. It is kept where the next step counts hits.
+const STAYS: u16 = 0;
+const CARRIED: u16 = 1;
+/// Lies on a body that is carried.
+const TAKEN: u16 = 2;
+/// It was in a solid's way, or it cannot be moved.
+const PUSHED: u16 = 3;
+
+impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
+    /// Moves solids: they carry the bodies that stand on them, with whole piles, and push those in
+    /// their way.
+    ///
+    /// All solids go by their motions or [turns](crate::world::ConvexSolid::with_turn) at once.
+    /// Call this once per frame, *before* the [step](Self::step), and then step in the level
+    /// [joined](crate::Joined) with them. There bodies stand on the solids, bounce off them, and
+    /// bullets hit them. [`Solids::key_of`](crate::Solids::key_of) reads from a hit which one.
+    ///
+    /// ```text
+    ///   1 ride: the solids move, and what        2 step: gravity, velocities, and bodies
+    ///     stands on them or is in the way          against bodies
+    ///         [b]      [b]                              [b] ->
+    ///       _.-'|    _.-'|                            _.-'|
+    ///    .-'----' -> ----'                         .-'----'
+    /// ```
+    ///
+    /// - The rules are those of [`Mover::ride`](crate::Mover::ride) and
+    ///   [`Mover::ride_convex`](crate::Mover::ride_convex). "Up" is against `gravity`; without
+    ///   gravity, nothing is carried. `follow` is how far a body goes down with a floor that sinks
+    ///   in this frame. Pass at least the motion of your fastest lift, or bodies hop on it. A slope
+    ///   that goes sideways sinks, too.
+    /// - **Velocities** are those seen from the solid: a body that is carried keeps its own. If a
+    ///   body shall leave a lift with the lift's speed, [push](Self::push) it by the motion.
+    /// - **Piles**: a body on a carried body goes by the same motion, as far as the level and the
+    ///   solids let it. A body on several goes with the one that rises most, then with the smaller
+    ///   key. Other bodies do not stop a ride; if they overlap then, the step parts them.
+    /// - **Squashed** bodies are reported and stay. Each step [holds](super::SceneEvent::Held) them
+    ///   until the solid has passed.
+    /// - Solids that move wake the bodies near them. Bodies on a lift that stands may sleep.
+    ///
+    /// `each` receives every body that is carried, pushed or squashed by a solid, and the faults of
+    /// bodies that cannot be moved. They come in no particular order. If keys are unique, no result
+    /// depends on the order of bodies or solids.
+    ///
+    /// If no solid moves, the call does nothing. Otherwise it costs a region query for each moving
+    /// solid, a few comparisons for each body and solid, and a ride for each body near one. If
+    /// bodies are carried, it costs a region query for each body that lies on others.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::motion::Ride;
+    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::world::{ConvexSolid, ConvexSolids};
+    /// use tilesat::{Aabb, ConvexPolygon, Joined, Ratio, Scene, Surface, TileKinds, TileMap, Vec2, fx};
+    /// let level = TileMap::from_ascii("........\n........\n", &TileKinds::EMPTY)?;
+    /// // A lift with a slope, and two crates on it, one on the other.
+    /// let corners = [(0, 60), (60, 40), (60, 70), (0, 70)].map(|(x, y)| Vec2::from_ints(x, y));
+    /// let mut lift = [ConvexSolid::new(ConvexPolygon::<4>::new(&corners)?, 7)?];
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let rough = Surface::new(Ratio::ZERO, Ratio::ONE);
+    /// let at = |x, y| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + 8, y + 8));
+    /// let crates = [(20, 30, 1), (20, 20, 2)].map(|(x, y, key)| (at(x, y).unwrap(), key));
+    /// let crates = crates.map(|(shape, key)| {
+    ///     scene.insert(&SceneBody { surface: rough, ..SceneBody::new(shape, key) }).unwrap()
+    /// });
+    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// for _ in 0..60 {
+    ///     scene.step(&Joined::new(&level, &ConvexSolids::new(&lift)), gravity, |_| {})?; // they land
+    /// }
+    /// let before = crates.map(|at| scene.body(at).unwrap().shape.position());
+    /// for _ in 0..20 {
+    ///     lift[0] = lift[0].with_motion(Vec2::from_ints(2, -1))?;
+    ///     scene.ride(&level, &mut lift, gravity, fx!(4), |body, ride| {
+    ///         assert_eq!((body, ride), (crates[0], Ok(Ride::Carried)));
+    ///     })?;
+    ///     scene.step(&Joined::new(&level, &ConvexSolids::new(&lift)), gravity, |_| {})?;
+    /// }
+    /// let after = crates.map(|at| scene.body(at).unwrap().shape.position());
+    /// assert_eq!(after, before.map(|p| p + Vec2::from_ints(40, -20))); // exactly
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SceneError`](super::SceneError) if `follow` is negative or not below 2^28 raw. Nothing is
+    /// changed then.
+    #[doc(alias("moving platform", "kinematic body", "AnimatableBody2D"))]
+    pub fn ride<W: World, T: MovingSolid>(
+        &mut self,
+        level: &W,
+        solids: &mut [T],
+        gravity: Vec2,
+        follow: Fx,
+        mut each: impl FnMut(Handle, Result<Ride, SceneFault>),
+    ) -> Result<(), SceneError> {
+        let value = follow.to_bits();
+        if !(0..MOTION).contains(&value) {
+            return Err(SceneError::call(RangeError { what: Quantity::Follow, value }));
+        }
+        if !self.wake_beside(solids) {
+            return Ok(());
+        }
+        let mover = if gravity == Vec2::ZERO { Mover::new() } else { Mover::platformer(toward(gravity).reversed()) };
+        let (mut most, mut carries) = (0, false);
+        let none = T::level(&[]);
+        let here = Joined::new(level, &none);
+        for &handle in self.awake.iter().take(self.count) {
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            if slot.support != ALOFT {
+                most = most.max(slot.support);
+            }
+            let bounds = slot.body.shape.aabb();
+            let near = |solid: &T| solid.reach().is_some_and(|reach| around(&reach, NEAR).touches(&bounds));
+            let (does, by) = if solids.iter().any(near) {
+                let asked = slot.body.shape.visit(Ask(&mover, &here, &*solids, follow));
+                let (does, by) = match asked {
+                    Ok((Ride::Free, _)) => (STAYS, Vec2::ZERO),
+                    Ok((Ride::Carried, by)) => (CARRIED, by),
+                    Ok((_, by)) => (PUSHED, by),
+                    Err(_) => (PUSHED, Vec2::ZERO),
+                };
+                if does != STAYS {
+                    each(handle, asked.map(|(ride, _)| ride));
+                }
+                (does, by)
+            } else {
+                (STAYS, Vec2::ZERO)
+            };
+            carries |= does == CARRIED;
+            (slot.tally.hits, slot.tally.kick) = (does, by);
+        }
+        if carries {
+            (1..=most).for_each(|support| self.take_along(support, gravity));
+        }
+        T::move_each(solids);
+        let moved = T::level(solids);
+        self.go_along(&mover, &Joined::new(level, &moved), &mut each);
+        Ok(())
+    }
+
+    /// Wakes the bodies near solids that move, with their piles. Returns whether a solid moves.
+    fn wake_beside<T: MovingSolid>(&mut self, solids: &[T]) -> bool {
+        let (from, mut moves) = (self.count, false);
+        for reach in solids.iter().filter_map(T::reach) {
+            moves = true;
+            self.wake_region(&around(&reach, NEAR));
+        }
+        if moves {
+            self.wake_along(from, &mut Unasked);
+            self.tell_woken(from);
+            self.memory.fill(Place::Empty);
+        }
+        moves
+    }
+
+    /// The bodies with this many others below them go with one that is carried, if they lie on one.
+    fn take_along(&mut self, support: u8, gravity: Vec2) {
+        let (x, y) = gravity.raw();
+        let down = Vec2::from_raw(x.signum() * GAP, y.signum() * GAP);
+        for k in 0..self.count {
+            let Some(&handle) = self.awake.get(k) else { continue };
+            let Some(slot) = self.slots.get(handle.slot()) else { continue };
+            if slot.support != support || slot.tally.hits != STAYS {
+                continue;
+            }
+            let shape = slot.body.shape;
+            let lower = shape.translated(down).unwrap_or(shape);
+            let mut best = None;
+            let bounds = shape.aabb().union(&lower.aabb());
+            self.near.in_region(&bounds, |other| {
+                let Some(below) = self.slots.get(other.slot()) else { return };
+                let is_carried = matches!(below.tally.hits, CARRIED | TAKEN) && below.support < support;
+                let touches = || lower.touches(&below.body.shape) || shape.touches(&below.body.shape);
+                if !below.is_awake() || !is_carried || senses(slot, below) || !may_meet(slot, below) || !touches() {
+                    return;
+                }
+                let by = below.tally.kick;
+                best = best.max(Some((gravity.dot(by).wrapping_neg(), Reverse(below.body.key), by.raw())));
+            });
+            if let (Some((_, _, (x, y))), Some(slot)) = (best, self.slots.get_mut(handle.slot())) {
+                (slot.tally.hits, slot.tally.kick) = (TAKEN, Vec2::from_raw(x, y));
+            }
+        }
+    }
+
+    /// Moves the bodies, after the solids.
+    fn go_along<W: World>(&mut self, mover: &Mover, world: &W, each: &mut dyn FnMut(Handle, Result<Ride, SceneFault>)) {
+        for &handle in self.awake.iter().take(self.count) {
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            let (does, by) = (core::mem::take(&mut slot.tally.hits), core::mem::take(&mut slot.tally.kick));
+            if by == Vec2::ZERO {
+                continue;
+            }
+            let shape = slot.body.shape;
+            let to = if does == TAKEN { shape.visit(Along(mover, world, by)) } else { Ok(shape.shifted(by)) };
+            let put = to.and_then(|to| {
+                self.near.move_to(handle, &to.aabb())?;
+                slot.body.shape = to;
+                Ok(())
+            });
+            if let Err(fault) = put {
+                each(handle, Err(fault));
+            }
+        }
+    }
+}
+
+/// Where the solids take one body.
+struct Ask<'a, W, T>(&'a Mover, &'a W, &'a [T], Fx);
+
+impl<S, W: World, T: MovingSolid> Visit<S> for Ask<'_, W, T> {
+    type Out = Result<(Ride, Vec2), SceneFault>;
+    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
+        let Self(mover, level, solids, follow) = self;
+        let ridden = T::ride(mover, level, solids, body, follow)?;
+        Ok((ridden.ride, ridden.motion))
+    }
+}
+
+/// A motion as far as the level and the solids allow.
+struct Along<'a, W>(&'a Mover, &'a W, Vec2);
+
+impl<S, W: World> Visit<S> for Along<'_, W> {
+    type Out = Result<S, SceneFault>;
+    fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
+        let Self(mover, world, by) = self;
+        Ok(mover.move_and_slide(world, body, by)?.body.into())
+    }
+}
