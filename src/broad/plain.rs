@@ -4,6 +4,7 @@ use super::order::{compact, sort};
 use super::table::{Bodies, Slots, Table};
 use super::table::{Meter, Spatial, Stop};
 use super::{BroadError, Handle, Pair, PairCursor, PairsError, Tag};
+use crate::num::LONG;
 use crate::shape::Aabb;
 use core::slice::Iter;
 
@@ -42,8 +43,8 @@ trait PairScan {
     /// against.
     fn left(&self) -> (usize, usize);
 
-    /// The slots of this row and of a later place.
-    fn slots(&self, row: usize, later: usize) -> (usize, usize);
+    /// The slots of the two boxes that it found last, of `n` places.
+    fn found(&self, n: usize) -> (usize, usize);
 }
 
 /// All pairs of `n` places. The cursor: `a` is the row, `b` how many places after it are done.
@@ -57,21 +58,19 @@ fn pairs<T: Tag, M: Meter>(
 ) -> Result<(), PairsError> {
     if let Some(mut scan) = scan {
         loop {
-            let step = scan.next(meter);
-            let (rows, later) = scan.left();
-            let (row, later) = (n - rows - 1, n - later);
-            let (stopped, next) = match step {
+            let (stopped, again) = match scan.next(meter) {
                 Stop::Pair => {
-                    let (i, j) = scan.slots(row, later - 1);
+                    let (i, j) = scan.found(n);
                     if bodies.pair(i, j).is_none_or(&mut each) {
                         continue;
                     }
-                    (PairsError::Full, later - 1)
+                    (PairsError::Full, 1)
                 }
-                Stop::Spent => (PairsError::BudgetExceeded, later),
+                Stop::Spent => (PairsError::BudgetExceeded, 0),
                 Stop::End => break,
             };
-            (cursor.a, cursor.b) = (row as u16, (next - row - 1) as u16);
+            let (rows, later) = scan.left();
+            (cursor.a, cursor.b) = ((n - rows - 1) as u16, (rows - later - again) as u16);
             return Err(stopped);
         }
     }
@@ -192,8 +191,8 @@ impl PairScan for EachScan<'_> {
         (self.rows.len(), self.later.len())
     }
 
-    fn slots(&self, row: usize, later: usize) -> (usize, usize) {
-        (row, later)
+    fn found(&self, n: usize) -> (usize, usize) {
+        (n - self.rows.len() - 1, n - self.later.len() - 1)
     }
 }
 
@@ -350,6 +349,8 @@ struct OrderedScan<'a> {
     bounds: &'a [Aabb],
     /// The slot whose pairs are looked for.
     row: u16,
+    /// The slot that touches it. Of narrow registers there are too few to keep it in one.
+    other: u16,
     /// The slots after it.
     rows: Iter<'a, u16>,
     /// Those that it has still to be tested against.
@@ -359,7 +360,14 @@ struct OrderedScan<'a> {
 impl<'a> OrderedScan<'a> {
     fn new(order: &'a [u16], bounds: &'a [Aabb], cursor: &PairCursor) -> Option<Self> {
         let (&row, rest) = order.get(usize::from(cursor.a)..)?.split_first()?;
-        Some(Self { order, bounds, row, rows: rest.iter(), later: rest.get(usize::from(cursor.b)..)?.iter() })
+        Some(Self {
+            order,
+            bounds,
+            row,
+            other: row,
+            rows: rest.iter(),
+            later: rest.get(usize::from(cursor.b)..)?.iter(),
+        })
     }
 }
 
@@ -374,29 +382,29 @@ impl PairScan for OrderedScan<'_> {
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Stop {
         // Written back only at the end: until then they stay in registers.
-        let Self { order, bounds, mut row, ref rows, ref later } = *self;
+        let Self { order, bounds, mut row, ref rows, ref later, .. } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
-        let step = 'found: loop {
+        let (step, other) = 'found: loop {
             let Some(a) = bounds.get(usize::from(row)) else { return Stop::End };
             let (low, high) = (a.lo().y, a.hi());
             while !later.as_slice().is_empty() {
                 if !meter.spend() {
-                    break 'found Stop::Spent;
+                    break 'found (Stop::Spent, row);
                 }
-                let Some(&other) = later.next() else { break };
-                let Some(b) = bounds.get(usize::from(other)) else { break };
+                let Some(&slot) = later.next() else { break };
+                let Some(b) = bounds.get(usize::from(slot)) else { break };
                 if b.lo().x > high.x {
                     break;
                 }
                 if b.lo().y <= high.y && b.hi().y >= low {
-                    break 'found Stop::Pair;
+                    break 'found (Stop::Pair, if LONG { slot } else { row });
                 }
             }
             let Some(&next) = rows.next() else { return Stop::End };
             row = next;
             later = rows.clone();
         };
-        *self = Self { order, bounds, row, rows, later };
+        *self = Self { order, bounds, row, other, rows, later };
         step
     }
 
@@ -404,8 +412,8 @@ impl PairScan for OrderedScan<'_> {
         (self.rows.len(), self.later.len())
     }
 
-    fn slots(&self, _: usize, later: usize) -> (usize, usize) {
-        let other = self.order.get(later).copied().unwrap_or(self.row);
-        (usize::from(self.row), usize::from(other))
+    fn found(&self, n: usize) -> (usize, usize) {
+        let last = || self.order.get(n - self.later.len() - 1).copied().unwrap_or(self.row);
+        (usize::from(self.row), usize::from(if LONG { self.other } else { last() }))
     }
 }

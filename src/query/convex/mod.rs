@@ -28,7 +28,7 @@ use crate::error::RangeError;
 use crate::num::{Fx, Raw, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use exit::Exit;
-use place::Place;
+use place::{Place, meets_in};
 
 pub(crate) use near::between;
 pub(crate) use place::meets;
@@ -111,7 +111,7 @@ macro_rules! manifolds {
 /// Whether the bounding boxes of two shapes overlap or touch: that settles most pairs that are
 /// apart.
 #[inline]
-fn boxes_meet<const CLOSED: bool>(a: &Aabb, b: &Aabb) -> bool {
+fn boxes_meet<const CLOSED: bool>((a, b): (&Aabb, &Aabb)) -> bool {
     aabb_aabb::<CLOSED>(a.lo(), a.hi(), b.lo(), b.hi())
 }
 
@@ -123,7 +123,8 @@ macro_rules! pair {
         impl<$($n)*> Overlaps<$b> for $a {
             #[inline]
             fn overlaps(&self, b: &$b) -> bool {
-                boxes_meet::<false>(&self.aabb(), &b.aabb()) && with_cores!(self, b, |a, b| meets::<false>(a, b))
+                let boxes = (&self.aabb(), &b.aabb());
+                boxes_meet::<false>(boxes) && with_cores!(self, b, |a, b| meets_in::<false>(a, b, Some(boxes)))
             }
         }
 
@@ -137,7 +138,8 @@ macro_rules! pair {
         impl<$($n)*> Touches<$b> for $a {
             #[inline]
             fn touches(&self, b: &$b) -> bool {
-                boxes_meet::<true>(&self.aabb(), &b.aabb()) && with_cores!(self, b, |a, b| meets::<true>(a, b))
+                let boxes = (&self.aabb(), &b.aabb());
+                boxes_meet::<true>(boxes) && with_cores!(self, b, |a, b| meets_in::<true>(a, b, Some(boxes)))
             }
         }
 

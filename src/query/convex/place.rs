@@ -2,7 +2,11 @@
 //! corner.
 
 use super::walk::{Core, Corner, PolygonSide, SideWalk, turn};
-use crate::num::{div_sqrt, isqrt64, less128, mul64, sqr64, usqr};
+use crate::num::{Raw, Vec2, div_sqrt, isqrt64, leading_zeros32, less128, mul64, sqr64, usqr};
+use crate::query::meet::circle_circle;
+use crate::shape::Aabb;
+use core::mem::replace;
+use core::ops::{Add, Sub};
 
 /// The part of the sum's border that is nearest to the origin, the radii left aside.
 #[derive(Clone, Copy, Debug)]
@@ -74,12 +78,132 @@ impl Place {
 
 /// Whether two shapes overlap, or touch: exact.
 pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
-    let radius = a.radius.wrapping_add(b.radius);
-    if radius == 0 { sharp::<CLOSED>(a, b).is_ok() } else { Place::of(a, b).within::<CLOSED>(radius) }
+    meets_in::<CLOSED>(a, b, None)
 }
 
-/// The same without radii: the first side that the origin is not inside of settles it, and is the
-/// error. A point has none.
+/// The same. A caller that knows the bounding boxes, and that they meet, passes them.
+pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<(&Aabb, &Aabb)>) -> bool {
+    let radius = a.radius.wrapping_add(b.radius);
+    if radius != 0 {
+        return corners_meet::<CLOSED>(a, b, radius) || Place::of(a, b).within::<CLOSED>(radius);
+    }
+    if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
+        return p.meets::<CLOSED>(&q);
+    }
+    boxes.is_some_and(|(p, q)| share_middle(a, b, p, q)) || sharp::<CLOSED>(a, b).is_ok()
+}
+
+/// Whether the middle of the common part of the bounding boxes is inside both shapes: so it is for
+/// most that overlap, and takes a fifth of a walk around the sum.
+fn share_middle(a: Core<'_>, b: Core<'_>, p: &Aabb, q: &Aabb) -> bool {
+    if a.corners.len() < 3 || b.corners.len() < 3 {
+        return false;
+    }
+    // Sums of coordinates of the domain are below 2^30.
+    let middle = |plo: i32, phi: i32, qlo: i32, qhi: i32| plo.max(qlo).wrapping_add(phi.min(qhi)) >> 1;
+    let (plo, phi, qlo, qhi) = (p.lo(), p.hi(), q.lo(), q.hi());
+    let at = Raw { x: middle(plo.x, phi.x, qlo.x, qhi.x), y: middle(plo.y, phi.y, qlo.y, qhi.y) };
+    let far = [plo, phi, qlo, qhi].iter().fold(0, |bits, p| bits | spread(p.sub(at)));
+    let shift = shift_to_14(far);
+    has_inside(a, at, shift) && has_inside(b, at, shift)
+}
+
+/// Whether a point is surely on the left of all sides of a shape: by the leading 14 bits.
+///
+/// A component loses less than one, so a product is off by less than the sum of the components and
+/// one, 2^16 + 1.
+fn has_inside(core: Core<'_>, at: Raw, shift: u32) -> bool {
+    let seen = |p: Raw| short(p.sub(at), shift);
+    let mut last = seen(core.corner(core.before(0)));
+    core.corners.iter().all(|p| {
+        let next = seen(Raw::of(*p));
+        short_cross(replace(&mut last, next), next) > 1 << 16
+    })
+}
+
+/// Whether two of the corners are near enough: so it is for most that overlap and have few of them.
+fn corners_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, radius: i32) -> bool {
+    let near = |p: &Vec2, q: &Vec2| circle_circle::<CLOSED>(Raw::of(*p), Raw::of(*q), radius);
+    a.corners.len().wrapping_add(b.corners.len()) <= 4 && a.corners.iter().any(|p| b.corners.iter().any(|q| near(p, q)))
+}
+
+/// A shape with four corners and two directions: boxes, turned or not.
+struct Parallelogram {
+    u: Raw,
+    v: Raw,
+    /// Twice the middle.
+    middle: Raw,
+}
+
+impl Parallelogram {
+    fn of(core: Core<'_>) -> Option<Self> {
+        let &[p, q, r, s] = core.corners else { return None };
+        let [p, q, r, s] = [p, q, r, s].map(Raw::of);
+        let middle = p.add(r);
+        (middle == q.add(s)).then(|| Self { u: q.sub(p), v: s.sub(p), middle })
+    }
+
+    /// Their sum is its own mirror image, so each two of its sides are one question: whether the
+    /// other middle is nearer than half of the widths of both.
+    ///
+    /// The leading 14 bits mostly settle it.
+    fn meets<const CLOSED: bool>(&self, other: &Self) -> bool {
+        // Below 2^31: twice the distance of two points of the domain, or near it.
+        let d = other.middle.sub(self.middle);
+        let sides = [self.u, self.v, other.u, other.v].iter().fold(0, |bits, e| bits | spread(*e));
+        let shift = shift_to_14(sides | spread(d) >> 1);
+        let shorter = [self.u, self.v, other.u, other.v, d].map(|e| short(e, shift));
+        let leading = margin(shorter, |e, f| short_cross(e, f).wrapping_abs());
+        // A component loses less than one. So a product of two sides is off by less than the sum of
+        // their components and one, 2^16 + 1, one with `d` by 2^16 + 2^15 + 1, and the sum of four
+        // by less than this.
+        if leading.wrapping_abs() > 5 << 16 {
+            return leading > 0;
+        }
+        let margin = margin([self.u, self.v, other.u, other.v, d], |e, f| e.cross(f).wrapping_abs());
+        if CLOSED { margin >= 0 } else { margin > 0 }
+    }
+}
+
+/// The bits of the sizes of both components, or of one less.
+const fn spread(v: Raw) -> u32 {
+    ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
+}
+
+/// How far to shift so that what these bits bound has 14 at most, and a sign.
+const fn shift_to_14(bits: u32) -> u32 {
+    18_u32.saturating_sub(leading_zeros32(bits)) & 31
+}
+
+const fn short(v: Raw, shift: u32) -> Raw {
+    Raw { x: v.x >> shift, y: v.y >> shift }
+}
+
+/// A cross product of components whose product is below 2^30.
+const fn short_cross(e: Raw, f: Raw) -> i32 {
+    e.x.wrapping_mul(f.y).wrapping_sub(e.y.wrapping_mul(f.x))
+}
+
+/// The least, over the four directions of sides, of the widths of two parallelograms across it
+/// together, less twice the distance of their middles. `size` is that of a cross product; `d` is
+/// twice the way between the middles.
+///
+/// Exact ones are below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
+fn margin<T: Copy + Ord + Add<Output = T> + Sub<Output = T>>(
+    [u, v, s, t, d]: [Raw; 5],
+    size: impl Fn(Raw, Raw) -> T,
+) -> T {
+    let (own, others) = (size(u, v), size(s, t));
+    let (us, ut, vs, vt) = (size(u, s), size(u, t), size(v, s), size(v, t));
+    let across_u = own + us + ut - size(u, d);
+    let across_v = own + vs + vt - size(v, d);
+    let across_s = others + us + vs - size(s, d);
+    let across_t = others + ut + vt - size(t, d);
+    across_u.min(across_v).min(across_s.min(across_t))
+}
+
+/// Whether two shapes without radii overlap, or touch: the first side that the origin is not inside
+/// of settles it, and is the error. A point has none.
 pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), Option<PolygonSide>> {
     let walk = SideWalk::new(a, b);
     let mut inside = CLOSED && walk.corner().at.is_zero();

@@ -46,7 +46,7 @@ const fn class(kind: Kind, bodies: usize, origin: i64) -> Class {
     Class { kind, bodies, origin }
 }
 
-pub const CLASSES: [Class; 19] = [
+pub const CLASSES: [Class; 20] = [
     class(Kind::Scattered, 8, 0),
     class(Kind::Scattered, 64, 0),
     class(Kind::Scattered, 256, 0),
@@ -60,6 +60,7 @@ pub const CLASSES: [Class; 19] = [
     class(Kind::Leaping, 4096, 0),
     class(Kind::Columns, 256, 0),
     class(Kind::Columns, 256, 7000),
+    class(Kind::Clumps, 64, 0),
     class(Kind::Clumps, 256, 0),
     class(Kind::Clumps, 1024, 0),
     class(Kind::Huge, 256, 0),

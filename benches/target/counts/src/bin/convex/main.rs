@@ -33,6 +33,15 @@ fn quad_at(r: &mut Random, at: (i32, i32)) -> Option<Quad> {
     ConvexPolygon::new(&turned_at(r, at)?.corners()).ok()
 }
 
+/// The same size without parallel sides.
+fn kite_at(r: &mut Random, at: (i32, i32)) -> Option<Quad> {
+    let mut corners = turned_at(r, at)?.corners();
+    for corner in &mut corners {
+        *corner = *corner + Vec2::from_raw(r.raw(-3, 3), r.raw(-3, 3));
+    }
+    Quad::new(&corners).ok()
+}
+
 fn capsule_at(r: &mut Random, at: (i32, i32)) -> Option<Capsule> {
     let by = (r.raw(-8, 8), r.raw(-8, 8));
     Capsule::new(vec(at), vec((at.0 + by.0, at.1 + by.1)), Fx::from_bits(5 * UNIT)).ok()
@@ -116,6 +125,11 @@ fn main() -> ! {
         &mut table,
         ["quads overlap, hit", "quads overlap, apart", "quads overlap, apart by the last side", "quads, contact"],
         quad_at,
+    );
+    pairs(
+        &mut table,
+        ["kites overlap, hit", "kites overlap, apart", "kites overlap, apart by the last side", "kites, contact"],
+        kite_at,
     );
     pairs(
         &mut table,
