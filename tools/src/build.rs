@@ -1,6 +1,7 @@
 //! Bakes levels in a build script: a folder of them becomes Rust source, with a module for each.
 //!
-//! Add this package to the `[build-dependencies]`. The build script has three lines:
+//! Add this package to the `[build-dependencies]`, with `default-features = false`: a build script
+//! needs no pictures and no games. The build script has three lines:
 //!
 //! ```no_run
 //! fn main() -> Result<(), tilesat_tools::build::Failed> {
@@ -19,9 +20,9 @@ use std::path::{Path, PathBuf};
 use std::{env, fmt, fs};
 
 use crate::bake::{self, Outputs, Settings, names, source};
-use crate::cli::input::Input;
 use crate::fail::Fail;
 use crate::model::map::Map;
+use crate::project;
 use crate::rules::options::Options;
 
 /// The errors of a folder of levels, one line per refused level.
@@ -82,7 +83,7 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
 pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
     let (mut drawn, mut options, mut read, mut failed) = (Vec::new(), Options::default(), Vec::new(), Vec::new());
     for file in files(from)? {
-        match Input::default().load(&file) {
+        match project::load(&file, None, Options::default()) {
             Ok((levels, said)) => {
                 options = said;
                 drawn.extend(levels.maps.into_iter().map(|map| (file.clone(), map)));
