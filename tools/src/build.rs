@@ -15,6 +15,7 @@
 //! include!(concat!(env!("OUT_DIR"), "/levels.rs"));
 //! ```
 
+use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::{env, fmt, fs};
@@ -99,7 +100,9 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source.
+/// Bakes all levels of a folder into a file of Rust source: maps and worlds of Tiled, and projects
+/// of `LDtk`. It bakes a map that a world of the folder lists once.
+///
 /// The file has one module of the folder's name, with a module for each level and one table of tile
 /// kinds for all. It uses the settings of a `tilesat.toml` in the folder.
 ///
@@ -108,10 +111,17 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
 /// A line for each level that cannot be read or is refused. Then it writes nothing.
 pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
     let (mut drawn, mut options, mut read, mut failed) = (Vec::new(), Options::default(), Vec::new(), Vec::new());
+    let mut placed: HashSet<PathBuf> = HashSet::new();
     for file in files(from)? {
+        if file.canonicalize().is_ok_and(|real| placed.contains(&real)) {
+            continue;
+        }
         match project::load(&file, None, Options::default()) {
             Ok((levels, said)) => {
                 options = said;
+                if is_world(&file) {
+                    placed.extend(levels.files.iter().filter_map(|file| file.canonicalize().ok()));
+                }
                 drawn.extend(levels.maps.into_iter().map(|map| (file.clone(), map)));
                 read.extend(levels.files);
             }
@@ -173,14 +183,14 @@ fn refused(drawn: &[(PathBuf, Map)], settings: &Settings) -> Vec<Fail> {
     drawn.iter().filter_map(alone).collect()
 }
 
-/// The level files of a folder, sorted by name.
+/// The level files of a folder: worlds, which list others, then the rest, each sorted by name.
 fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     let of_folder = |e: std::io::Error| Fail::new(format!("cannot read the folder {}: {e}", folder.display()));
     let entries: Result<Vec<_>, _> = fs::read_dir(folder).map_err(of_folder)?.collect();
     let paths = entries.map_err(of_folder)?.into_iter().map(|entry| entry.path());
     let known = |path: &PathBuf| path.extension().and_then(OsStr::to_str).is_some_and(|end| ENDS.contains(&end));
     let mut files: Vec<PathBuf> = paths.filter(known).collect();
-    files.sort();
+    files.sort_by_key(|file| (!is_world(file), file.clone()));
     if files.is_empty() {
         return Err(
             Fail::new(format!("{} has no level: no file ends in .{}", folder.display(), ENDS.join(", ."))).into()
@@ -189,5 +199,9 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     Ok(files)
 }
 
+fn is_world(file: &Path) -> bool {
+    file.extension().is_some_and(|end| end == "world")
+}
+
 /// The extensions of level files.
-const ENDS: [&str; 3] = ["tmx", "tmj", "ldtk"];
+const ENDS: [&str; 4] = ["tmx", "tmj", "world", "ldtk"];

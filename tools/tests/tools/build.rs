@@ -78,7 +78,7 @@ fn what_was_left_out_is_a_warning() {
 fn every_fault_has_its_line() {
     let (levels, out) = places();
     let of_folder = |folder: &Path| build::folder(folder, &out).unwrap_err();
-    assert!(of_folder(&levels).to_string().ends_with("has no level: no file ends in .tmx, .tmj, .ldtk"));
+    assert!(of_folder(&levels).to_string().ends_with("has no level: no file ends in .tmx, .tmj, .world, .ldtk"));
     assert!(of_folder(&levels.join("none")).to_string().starts_with("cannot read the folder "));
 
     fs::write(levels.join("good.tmx"), rows(&["##"])).unwrap();

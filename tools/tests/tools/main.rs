@@ -24,3 +24,4 @@ mod play;
 mod rooms;
 mod shapes;
 mod support;
+mod worlds;
