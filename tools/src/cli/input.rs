@@ -14,8 +14,8 @@ use crate::rules::options::Options;
 
 /// The text about the level in the usage of each subcommand.
 pub(crate) const LEVEL: &str = "
-LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding) or a
-project of LDtk (.ldtk).
+LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding), a world of
+its maps (.world), or a project of LDtk (.ldtk).
 ";
 
 /// The text about the options.

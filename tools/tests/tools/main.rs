@@ -23,5 +23,6 @@ mod outputs;
 mod play;
 mod rooms;
 mod shapes;
+mod stamps;
 mod support;
 mod worlds;
