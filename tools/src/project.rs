@@ -7,6 +7,7 @@ use serde::Deserialize;
 use tilesat::TileShape;
 
 use crate::fail::{Fail, Result};
+use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Placed};
 use crate::read::{self, Levels};
 use crate::rules::names;
@@ -31,6 +32,7 @@ struct File {
     ignore_level: Vec<String>,
     layer: Option<String>,
     scale: Option<String>,
+    weld: Option<String>,
 }
 
 /// The levels of a file. The user's options take precedence over those of the project file.
@@ -79,6 +81,7 @@ fn options(text: &str) -> std::result::Result<Options, String> {
         ignored_levels: file.ignore_level,
         layer: file.layer,
         scale: file.scale.map(|text| scale(&text).map_err(|why| format!("scale: {why}"))).transpose()?,
+        weld: file.weld.map(|text| weld(&text).map_err(|why| format!("weld: {why}"))).transpose()?,
         rooms: false,
     })
 }
@@ -141,6 +144,12 @@ pub(crate) fn solid(text: &str) -> std::result::Result<(String, TileShape), Stri
     let known = names::shape(shape.trim())
         .ok_or_else(|| format!("'{shape}' is not a shape; name one such as slope-bottom-left (see --help)"))?;
     Ok((name.trim().to_owned(), known))
+}
+
+/// Pixels, in raw units.
+pub(crate) fn weld(text: &str) -> std::result::Result<i64, String> {
+    let raw = Decimal::parse(text.as_bytes()).map(Decimal::raw).filter(|raw| (0..=1 << 16).contains(raw));
+    raw.ok_or_else(|| format!("needs pixels from 0 to 1, got {text}"))
 }
 
 /// `1/2`, `2` or `0.5`.

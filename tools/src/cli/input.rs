@@ -8,7 +8,7 @@ use tilesat::TileShape;
 
 use super::args::{once, text};
 use crate::fail::{Fail, Result};
-use crate::project::{self, scale, solid};
+use crate::project::{self, scale, solid, weld};
 use crate::read::Levels;
 use crate::rules::options::Options;
 
@@ -43,10 +43,12 @@ All other classes and true properties are flags, at most eight. These options co
   --layer NAME          look for solids in this tile layer only
   --level NAME          take this level of a project (bake and lint: default all)
   --scale N/D           multiply all lengths by this
+  --weld PX             move corners of tiles' collision shapes by up to this, from 0 to 1,
+                        onto their tile's border and onto neighbours' corners (default: 0.25)
 The NAME of a tile is its class, a true property, TILESET:ID, or an IntGrid value (its
 identifier, its number, or LAYER:NUMBER), in any case. A file tilesat.toml beside
 the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
-one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\".
+one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\", weld = \"0.25\".
 Objects are solid if --objects, their class, a true property, their name or their
 layer (rule c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
 the property kind chooses solid, hole, wall (a chain that blocks from both sides) or
@@ -80,6 +82,10 @@ impl Input {
             "scale" => {
                 let fraction = scale(&text(parser, "--scale")?).map_err(|why| Fail::new(format!("--scale {why}")))?;
                 once(&mut options.scale, "--scale", fraction)?;
+            }
+            "weld" => {
+                let most = weld(&text(parser, "--weld")?).map_err(|why| Fail::new(format!("--weld {why}")))?;
+                once(&mut options.weld, "--weld", most)?;
             }
             _ => return Ok(false),
         }

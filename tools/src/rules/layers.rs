@@ -98,7 +98,7 @@ impl<'a> Layers<'a> {
     }
 
     fn piece(&self, entry: u32, solid: Solid, tile: u16) -> Piece {
-        piece::of(self.map, &self.map.palette[entry as usize], solid, tile, &self.likeness)
+        piece::of(self.map, &self.map.palette[entry as usize], solid, tile, &self.likeness, self.options.weld())
     }
 
     /// The reason that all tiles of a layer are full, if they are.
@@ -133,7 +133,7 @@ impl<'a> Layers<'a> {
             count += 1;
             sheet.pieces.entry(entry).or_insert_with(|| {
                 let (full, tile) = (Solid::Shape(TileShape::Full), sheet.tiles.tile);
-                piece::of(self.map, &self.map.palette[entry as usize], full, tile, &self.likeness)
+                piece::of(self.map, &self.map.palette[entry as usize], full, tile, &self.likeness, 0)
             });
         }
         if count > 0 {

@@ -10,6 +10,7 @@ use super::likeness::{self, Likeness};
 use super::names;
 use super::union::{doubled_area, union};
 use super::verdict::Solid;
+use super::weld;
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
@@ -37,6 +38,8 @@ pub(super) struct Path {
     pub(super) points: Vec<Spot>,
     /// In thousandths of a pixel; see [`form::Corners`].
     pub(super) error: u32,
+    /// The corners that moved onto the border of the tile.
+    pub(super) welded: u32,
 }
 
 /// The drawing position of a tile, in pixels from the corner of its cell.
@@ -54,6 +57,11 @@ impl Frame {
         Self { x: Decimal::ZERO, y: Decimal::ZERO, width, height }
     }
 
+    fn corners(&self) -> (Spot, Spot) {
+        let end = (self.x + Decimal::whole(self.width), self.y + Decimal::whole(self.height));
+        ((self.x, self.y), end)
+    }
+
     /// The first cell and the number of cells, if it fills whole ones of this side.
     fn cells(&self, side: i64) -> Option<((i32, i32), (i32, i32))> {
         let whole = |v: Decimal| Some(v.raw() >> 16).filter(|pixels| Decimal::whole(*pixels) == v);
@@ -63,8 +71,9 @@ impl Frame {
     }
 }
 
-/// The area that a tile of a layer with cells of `tile` pixels fills.
-pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness) -> Piece {
+/// The area that a tile of a layer with cells of `tile` pixels fills. Welds drawn corners by up to
+/// `weld` raw units.
+pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness, weld: i64) -> Piece {
     let side = i64::from(tile);
     let cell = Frame::new(side, side);
     let &Placed::Tile { tileset, id, flip } = placed else {
@@ -97,7 +106,10 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
             let shapes = set.tiles.get(&id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
             // A tile that is drawn as large as a cell scales its shapes with it.
             let size = if w == 0 || h == 0 { (side, side) } else { own };
-            let paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
+            let mut paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
+            for path in paths.iter_mut().filter(|path| path.error == 0) {
+                path.welded = weld::onto_border(&mut path.points, path.closed, frame.corners(), weld);
+            }
             if frame == cell { recognised(paths, likeness) } else { Piece::Paths(paths) }
         }
     }
@@ -153,7 +165,7 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
         points.push(end);
     }
     let kind = if closed { Kind::Solid } else { Kind::OneWay };
-    vec![Path { kind, closed, points: points.into_iter().map(place).collect(), error: 0 }]
+    vec![Path { kind, closed, points: points.into_iter().map(place).collect(), error: 0, welded: 0 }]
 }
 
 fn near(a: (f64, f64), b: (f64, f64)) -> bool {
@@ -192,7 +204,7 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
     if flip.diagonal ^ flip.horizontal ^ flip.vertical {
         points.reverse();
     }
-    Some(Path { kind, closed, points, error: corners.error })
+    Some(Path { kind, closed, points, error: corners.error, welded: 0 })
 }
 
 /// A tile with more corners is not a shape of the library.

@@ -25,4 +25,5 @@ mod rooms;
 mod shapes;
 mod stamps;
 mod support;
+mod weld;
 mod worlds;
