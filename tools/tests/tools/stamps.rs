@@ -66,8 +66,8 @@ fn offsets_move_objects() {
     }
 }
 
-/// The same for tiles of a layer: whole cells stay cells, and a tile that is drawn as large as a cell
-/// scales its offset.
+/// The same for tiles of a layer: whole cells stay cells, and a tile that is drawn as large as a
+/// cell scales its offset.
 #[test]
 fn offsets_move_tiles() {
     let solid = |ground: &Ground| {
