@@ -1,10 +1,10 @@
 //! Welds the corners of tiles' polygons. People draw them by hand, and a gap of a hundredth of a
 //! pixel between two tiles is a step for a body.
 //!
-//! A corner near its tile's border moves onto the border. Then a corner near one of another polygon,
-//! or of a shape of the library in a cell, moves onto that. Either move is at most the tolerance
-//! along x and along y. A polygon stays as drawn if it would lose its area or cross itself, or if it
-//! is convex and would not stay so.
+//! A corner near its tile's border moves onto the border. Then a corner near one of another
+//! polygon, or of a shape of the library in a cell, moves onto that. Either move is at most the
+//! tolerance along x and along y. A polygon stays as drawn if it would lose its area or cross
+//! itself, or if it is convex and would not stay so.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 

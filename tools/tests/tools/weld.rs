@@ -29,14 +29,15 @@ impl Random {
 /// Thousandths of a pixel.
 type Corner = (i64, i64);
 
-/// A map of one row below an empty one. The tiles after the first, which is solid, have these shapes.
+/// A map of one row below an empty one. The first tile is solid, and the others have these shapes.
+/// Two corners are a chain.
 fn map(tiles: &[Vec<Corner>], row: &[usize]) -> String {
     let number = |v: i64| format!("{}{}.{:03}", if v < 0 { "-" } else { "" }, v.abs() / 1000, v.abs() % 1000);
     let shape = |(id, corners): (usize, &Vec<Corner>)| {
         let points: Vec<String> = corners.iter().map(|p| format!("{},{}", number(p.0), number(p.1))).collect();
-        let points = points.join(" ");
+        let (points, form) = (points.join(" "), if corners.len() == 2 { "polyline" } else { "polygon" });
         format!(
-            r#"<tile id="{id}"><objectgroup><object id="1" x="0" y="0"><polygon points="{points}"/></object></objectgroup></tile>"#
+            r#"<tile id="{id}"><objectgroup><object id="1" x="0" y="0"><{form} points="{points}"/></object></objectgroup></tile>"#
         )
     };
     let tiles: String = (1..).zip(tiles).map(shape).collect();
@@ -209,9 +210,11 @@ fn nothing_more_is_refused() {
             let at = [0, 16_000, random.below(16_000) as i64][random.below(3) as usize];
             random.off(at, 300)
         };
-        // Not convex, and some cross themselves.
+        // Both ends of the chain are near one corner of its tile. The shapes are not convex, and
+        // some cross themselves.
+        let chain = [(); 2].map(|()| (along() % 400 - 200, along() % 400 - 200));
         let mut shape = || (0..5).map(|_| (along(), along())).collect::<Vec<_>>();
-        let text = map(&[shape(), shape(), shape()], &[1, 2, 3, 4, 2, 1]);
+        let text = map(&[shape(), shape(), chain.to_vec()], &[1, 2, 3, 4, 2, 1]);
         let file = scratch("weld", "any.tmx", &text);
         let out = folder("weld").join("any.rs");
         let drawn = run("bake", &file, &format!("-o {} --weld 0", out.display()));
