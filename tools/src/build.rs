@@ -1,6 +1,7 @@
 //! Bakes levels in a build script: a folder of them becomes Rust source, with a module for each.
 //!
-//! Add this package to the `[build-dependencies]`. The build script has three lines:
+//! Add this package to the `[build-dependencies]`, with `default-features = false`: a build script
+//! needs no pictures and no games. The build script has three lines:
 //!
 //! ```no_run
 //! fn main() -> Result<(), tilesat_tools::build::Failed> {
@@ -14,15 +15,16 @@
 //! include!(concat!(env!("OUT_DIR"), "/levels.rs"));
 //! ```
 
+use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::{env, fmt, fs};
 
-use crate::bake::{self, Outputs, Settings, names, source};
-use crate::cli::input::Input;
-use crate::fail::Fail;
+use crate::bake::{self, Bundle, Outputs, Settings, names, source};
+use crate::fail::{Fail, one_line};
 use crate::model::map::Map;
-use crate::rules::options::Options;
+use crate::project;
+use crate::rules::options::{Options, listed};
 
 /// The errors of a folder of levels, one line per refused level.
 ///
@@ -52,39 +54,74 @@ impl From<Fail> for Failed {
     }
 }
 
+/// A baked folder.
+///
+/// Its text has the lines that Cargo reads from a build script: the input files, and the warnings.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Folder {
+    /// The levels, and the files that they name.
+    pub files: Vec<PathBuf>,
+    /// What the authors probably did not intend, and what is in no output. Each line names its
+    /// level and the reason.
+    pub warnings: Vec<String>,
+}
+
+/// The most warnings that Cargo shows.
+const MOST: usize = 50;
+
+impl fmt::Display for Folder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for file in &self.files {
+            writeln!(f, "cargo::rerun-if-changed={}", file.display())?;
+        }
+        for warning in self.warnings.iter().take(MOST) {
+            writeln!(f, "cargo::warning={}", one_line(warning))?;
+        }
+        match self.warnings.len().checked_sub(MOST) {
+            None | Some(0) => Ok(()),
+            Some(more) => writeln!(f, "cargo::warning=and {more} more: `tilesat bake` and `tilesat lint` list them"),
+        }
+    }
+}
+
 /// Bakes all levels of a folder of the package into a file in Cargo's `OUT_DIR`. The file has the
 /// folder's name with `.rs`. Cargo runs the build script again if a level changes, or a file that
-/// it names.
+/// it names. Cargo shows what was left out of a level, and why, as warnings.
 ///
 /// # Errors
 ///
 /// As [`folder`], or if this is not a build script.
 pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
     let from = from.as_ref();
-    println!("cargo:rerun-if-changed={}", from.display());
+    println!("cargo::rerun-if-changed={}", from.display());
     let out = env::var_os("OUT_DIR").ok_or_else(|| Fail::new("there is no OUT_DIR: this is for build scripts"))?;
     let name = from.file_name().ok_or_else(|| Fail::new(format!("{} is not the name of a folder", from.display())))?;
-    for file in folder(from, &Path::new(&out).join(name).with_extension("rs"))? {
-        println!("cargo:rerun-if-changed={}", file.display());
-    }
+    print!("{}", folder(from, &Path::new(&out).join(name).with_extension("rs"))?);
     Ok(())
 }
 
-/// Bakes all levels of a folder, maps of Tiled and projects of `LDtk`, into a file of Rust source.
+/// Bakes all levels of a folder into a file of Rust source: maps and worlds of Tiled, and projects
+/// of `LDtk`. It bakes a map that a world of the folder lists once.
+///
 /// The file has one module of the folder's name, with a module for each level and one table of tile
 /// kinds for all. It uses the settings of a `tilesat.toml` in the folder.
-///
-/// Returns the input files.
 ///
 /// # Errors
 ///
 /// A line for each level that cannot be read or is refused. Then it writes nothing.
-pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
+pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
     let (mut drawn, mut options, mut read, mut failed) = (Vec::new(), Options::default(), Vec::new(), Vec::new());
+    let mut placed: HashSet<PathBuf> = HashSet::new();
     for file in files(from)? {
-        match Input::default().load(&file) {
+        if file.canonicalize().is_ok_and(|real| placed.contains(&real)) {
+            continue;
+        }
+        match project::load(&file, None, Options::default()) {
             Ok((levels, said)) => {
                 options = said;
+                if is_world(&file) {
+                    placed.extend(levels.files.iter().filter_map(|file| file.canonicalize().ok()));
+                }
                 drawn.extend(levels.maps.into_iter().map(|map| (file.clone(), map)));
                 read.extend(levels.files);
             }
@@ -115,28 +152,45 @@ pub fn folder(from: &Path, out: &Path) -> Result<Vec<PathBuf>, Failed> {
     let mut outputs = Outputs::default();
     outputs.add(out.to_owned(), text.into_bytes());
     outputs.write(&read)?;
-    Ok(read)
+    Ok(Folder { files: read, warnings: warnings(&bundle, &drawn, &settings.options) })
+}
+
+/// The warnings about each level, and about flags that no level can keep.
+fn warnings(bundle: &Bundle, drawn: &[(PathBuf, Map)], options: &Options) -> Vec<String> {
+    let baked = drawn.iter().filter(|(_, map)| !listed(&options.ignored_levels, &map.name));
+    let mut lines = Vec::new();
+    for (level, (file, map)) in bundle.levels.iter().zip(baked) {
+        let level = level.surprises().into_iter();
+        lines.extend(level.map(|line| format!("{}: {}{line}", file.display(), title(drawn, file, map))));
+    }
+    let flag = |name: &String| format!("the flag {name} is dropped: tiles have at most eight, and `flag` names others");
+    lines.extend(bundle.dropped.iter().map(flag));
+    lines
+}
+
+/// Names the level, if its file has several.
+fn title(drawn: &[(PathBuf, Map)], file: &Path, map: &Map) -> String {
+    let several = drawn.iter().filter(|(other, _)| other == file).count() > 1;
+    if several { format!("level '{}': ", map.name) } else { String::new() }
 }
 
 /// The message about each refused level.
 fn refused(drawn: &[(PathBuf, Map)], settings: &Settings) -> Vec<Fail> {
     let alone = |(file, map): &(PathBuf, Map)| {
         let fail = bake::bake(std::slice::from_ref(map), settings).err()?;
-        let others = drawn.iter().filter(|(other, _)| other == file).count() > 1;
-        let level = if others { format!("level '{}': ", map.name) } else { String::new() };
-        Some(Fail::new(format!("{}: {level}{fail}", file.display())))
+        Some(Fail::new(format!("{}: {}{fail}", file.display(), title(drawn, file, map))))
     };
     drawn.iter().filter_map(alone).collect()
 }
 
-/// The level files of a folder, sorted by name.
+/// The level files of a folder: worlds, which list others, then the rest, each sorted by name.
 fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     let of_folder = |e: std::io::Error| Fail::new(format!("cannot read the folder {}: {e}", folder.display()));
     let entries: Result<Vec<_>, _> = fs::read_dir(folder).map_err(of_folder)?.collect();
     let paths = entries.map_err(of_folder)?.into_iter().map(|entry| entry.path());
     let known = |path: &PathBuf| path.extension().and_then(OsStr::to_str).is_some_and(|end| ENDS.contains(&end));
     let mut files: Vec<PathBuf> = paths.filter(known).collect();
-    files.sort();
+    files.sort_by_key(|file| (!is_world(file), file.clone()));
     if files.is_empty() {
         return Err(
             Fail::new(format!("{} has no level: no file ends in .{}", folder.display(), ENDS.join(", ."))).into()
@@ -145,5 +199,9 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Failed> {
     Ok(files)
 }
 
+fn is_world(file: &Path) -> bool {
+    file.extension().is_some_and(|end| end == "world")
+}
+
 /// The extensions of level files.
-const ENDS: [&str; 3] = ["tmx", "tmj", "ldtk"];
+const ENDS: [&str; 4] = ["tmx", "tmj", "world", "ldtk"];

@@ -8,11 +8,13 @@
 //! 3. [`rules`] decide what is solid, by the names of tiles, layers and objects. The result is a
 //!    [`Ground`](rules::ground::Ground).
 //! 4. [`bake`] converts that to files that a firmware includes: bytes, a table, Rust source.
-//! 5. [`lint`] finds mistakes in a level. [`play`] runs bodies through a baked level and checks
+//! 5. `lint` finds mistakes in a level. `play` runs bodies through a baked level and checks
 //!    every frame.
 //!
-//! [`picture`] draws, and [`sheet`] draws the library's answers about each shape. The program
-//! `tilesat` is [`cli`] on top of them. A build script can call the library directly:
+//! `picture` draws, and `sheet` draws the library's answers about each shape. The program
+//! `tilesat` is `cli` on top of them. The feature `program`, on by default, has what a build script
+//! does not need: `cli`, `lint`, `picture`, `play`, `sheet`, and the reports of [`bake`]. A build
+//! script can call the rest directly:
 //!
 //! ```no_run
 //! use std::path::Path;
@@ -32,13 +34,20 @@
 
 pub mod bake;
 pub mod build;
+#[cfg(feature = "program")]
 pub mod cli;
 pub mod fail;
+pub mod geometry;
+#[cfg(feature = "program")]
 pub mod lint;
 pub mod model;
+#[cfg(feature = "program")]
 pub mod picture;
+#[cfg(feature = "program")]
 pub mod play;
+mod project;
 pub mod read;
 pub mod rooms;
 pub mod rules;
+#[cfg(feature = "program")]
 pub mod sheet;

@@ -3,15 +3,9 @@
 use tilesat::{AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap};
 
 use super::level::Level;
-use super::report::{Owner, Report};
 use super::segments::Shapes;
-use super::view;
 use crate::fail::{Fail, Result};
-use crate::picture::marks::{Image, Scene, Spot};
 use crate::rules::ground::Ground;
-
-/// The report looks at no more cells than this: it would take too long.
-const MOST_COUNTED: usize = 1 << 20;
 
 /// A baked level: tiles, objects, or both.
 #[derive(Debug, Clone)]
@@ -48,56 +42,5 @@ impl Baked {
     pub fn segments(&self) -> Result<Option<SegmentMap<'_>>> {
         let Some((_, bytes, _)) = &self.objects else { return Ok(None) };
         SegmentMap::from_bytes(bytes).map(Some).map_err(|e| Fail::new(format!("the objects: {e}")))
-    }
-
-    /// The cost of the level, line by line. Uses a body of these sides in raw units, or of one
-    /// cell.
-    ///
-    /// # Errors
-    ///
-    /// As [`map`](Self::map).
-    pub fn report(&self, body: Option<(i32, i32)>) -> Result<Vec<String>> {
-        let mut lines = Vec::new();
-        let body = |grid: &Grid| body.unwrap_or((grid.cell().to_bits(), grid.cell().to_bits()));
-        if let (Some((map, grid)), Some(level)) = (self.map()?, &self.tiles) {
-            let (width, height, side) = (level.width, level.height, level.tile);
-            lines.push(format!("tiles   layer '{}': {width}x{height} of {side} px", level.layer));
-            lines.push(format!("flash   {} bytes of tiles, {} of kinds", level.tiles.len(), size_of::<TileKinds>()));
-            if level.tiles.len() > MOST_COUNTED {
-                lines.push(format!("cells   not counted: more than {MOST_COUNTED}"));
-            } else {
-                let report = Report::of(&map, grid, Owner::Tile, body(&grid));
-                lines.extend(report.lines(body(&grid)));
-            }
-        }
-        if let (Some(map), Some((shapes, bytes, cell))) = (self.segments()?, &self.objects) {
-            let (count, paths) = (map.count(), shapes.kinds.len());
-            let (width, height) = (map.width(), map.height());
-            lines.push(format!("objects {paths} in {count} segments, {width}x{height} cells of {cell} px"));
-            lines.push(format!("flash   {} bytes", bytes.len()));
-            let grid = map.grid();
-            if usize::from(width) * usize::from(height) > MOST_COUNTED {
-                lines.push(format!("cells   not counted: more than {MOST_COUNTED}"));
-            } else {
-                let report = Report::of(&map, grid, Owner::Square, body(&grid));
-                lines.extend(report.lines(body(&grid)));
-            }
-        }
-        let flags: Vec<String> =
-            self.flags.iter().enumerate().map(|(bit, name)| format!("{name} = bit {bit}")).collect();
-        if !flags.is_empty() {
-            lines.push(format!("flags   {}", flags.join(", ")));
-        }
-        Ok(lines)
-    }
-
-    /// Draws cells, segments with their normals, and vertices over an image of the drawn level.
-    /// Without an image it draws rays as well. Lines of text are below.
-    ///
-    /// # Errors
-    ///
-    /// As [`map`](Self::map).
-    pub fn picture(&self, lines: &[String], drawn: &dyn Fn(&Scene, Spot) -> Option<Image>) -> Result<Scene> {
-        Ok(view::scene(self.map()?, self.segments()?, lines, drawn))
     }
 }

@@ -115,6 +115,15 @@ impl Baked {
         beyond.chain(doubts).collect()
     }
 
+    /// What a build script reports: what the author probably did not intend, and what is in no
+    /// output. Images and skipped layers are no surprise.
+    pub(crate) fn surprises(&self) -> Vec<String> {
+        let objects = self.ground.left_out.iter().filter(|object| !object.is_listed() && !object.suspicious).map(told);
+        let guesses = self.ground.notes.iter().filter(|note| note.starts_with("GUESS")).cloned();
+        let lost = things::lost(&self.ground.left_out);
+        self.warnings().into_iter().chain(objects).chain(lost).chain(guesses).collect()
+    }
+
     /// Drawings that are in no output.
     pub fn unused(&self) -> Vec<String> {
         let silent = self.left_out(|object| !object.is_listed() && !object.suspicious);

@@ -7,12 +7,16 @@ mod json;
 pub mod level;
 pub(crate) mod names;
 mod outputs;
+#[cfg(feature = "program")]
 mod picture;
+#[cfg(feature = "program")]
 pub mod reopen;
+#[cfg(feature = "program")]
 mod report;
 pub mod segments;
 pub(crate) mod source;
 pub(crate) mod things;
+#[cfg(feature = "program")]
 mod view;
 
 pub use baked::Baked;

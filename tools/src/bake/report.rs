@@ -3,9 +3,12 @@
 use tilesat::prelude::*;
 use tilesat::world::World;
 use tilesat::{
-    Aabb, Cell, Fx, Grid, Segment, Vec2,
+    Aabb, Cell, Fx, Grid, Segment, TileKinds, Vec2,
     world::{Feature, Geometry},
 };
+
+use super::Baked;
+use crate::fail::Result;
 
 /// The role of a cell in a query.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,6 +86,52 @@ impl Report {
                 self.walked
             ),
         ]
+    }
+}
+
+/// The report looks at no more cells than this: it would take too long.
+const MOST_COUNTED: usize = 1 << 20;
+
+impl Baked {
+    /// The cost of the level, line by line. Uses a body of these sides in raw units, or of one
+    /// cell.
+    ///
+    /// # Errors
+    ///
+    /// As [`map`](Self::map).
+    pub fn report(&self, body: Option<(i32, i32)>) -> Result<Vec<String>> {
+        let mut lines = Vec::new();
+        let body = |grid: &Grid| body.unwrap_or((grid.cell().to_bits(), grid.cell().to_bits()));
+        if let (Some((map, grid)), Some(level)) = (self.map()?, &self.tiles) {
+            let (width, height, side) = (level.width, level.height, level.tile);
+            lines.push(format!("tiles   layer '{}': {width}x{height} of {side} px", level.layer));
+            lines.push(format!("flash   {} bytes of tiles, {} of kinds", level.tiles.len(), size_of::<TileKinds>()));
+            if level.tiles.len() > MOST_COUNTED {
+                lines.push(format!("cells   not counted: more than {MOST_COUNTED}"));
+            } else {
+                let report = Report::of(&map, grid, Owner::Tile, body(&grid));
+                lines.extend(report.lines(body(&grid)));
+            }
+        }
+        if let (Some(map), Some((shapes, bytes, cell))) = (self.segments()?, &self.objects) {
+            let (count, paths) = (map.count(), shapes.kinds.len());
+            let (width, height) = (map.width(), map.height());
+            lines.push(format!("objects {paths} in {count} segments, {width}x{height} cells of {cell} px"));
+            lines.push(format!("flash   {} bytes", bytes.len()));
+            let grid = map.grid();
+            if usize::from(width) * usize::from(height) > MOST_COUNTED {
+                lines.push(format!("cells   not counted: more than {MOST_COUNTED}"));
+            } else {
+                let report = Report::of(&map, grid, Owner::Square, body(&grid));
+                lines.extend(report.lines(body(&grid)));
+            }
+        }
+        let flags: Vec<String> =
+            self.flags.iter().enumerate().map(|(bit, name)| format!("{name} = bit {bit}")).collect();
+        if !flags.is_empty() {
+            lines.push(format!("flags   {}", flags.join(", ")));
+        }
+        Ok(lines)
     }
 }
 

@@ -3,7 +3,7 @@
 use tilesat::{Fx, Path, PathKind, SegmentMap, SegmentMapError, Vec2};
 
 use crate::fail::{Fail, Result};
-use crate::lint::geometry::{Edge, Meeting, Side, doubled_area, meet};
+use crate::geometry::{Edge, Meeting, Side, doubled_area, meet};
 use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
 use crate::rules::outline::Outline;

@@ -2,15 +2,28 @@
 
 use tilesat::{AllShapes, Grid, Inside, Joined, RangeError, RayHit, SegmentMap, TileMap};
 
-use super::picture;
 use super::report::Owner;
+use super::{Baked, picture};
+use crate::fail::Result;
 use crate::picture::ink::{EARTH, KILL, NIGHT};
 use crate::picture::marks::{Image, Mark, Scene, Spot};
 
 /// The image of the drawn level, for a picture with this origin.
 pub(crate) type Drawn<'a> = dyn Fn(&Scene, Spot) -> Option<Image> + 'a;
 
-pub(crate) fn scene(
+impl Baked {
+    /// Draws cells, segments with their normals, and vertices over an image of the drawn level.
+    /// Without an image it draws rays as well. Lines of text are below.
+    ///
+    /// # Errors
+    ///
+    /// As [`map`](Self::map).
+    pub fn picture(&self, lines: &[String], drawn: &dyn Fn(&Scene, Spot) -> Option<Image>) -> Result<Scene> {
+        Ok(scene(self.map()?, self.segments()?, lines, drawn))
+    }
+}
+
+fn scene(
     tiles: Option<(TileMap<'_, AllShapes>, Grid)>,
     segments: Option<SegmentMap<'_>>,
     lines: &[String],
@@ -29,7 +42,7 @@ pub(crate) fn scene(
     if plain {
         let_through(&mut scene);
     }
-    let point = |hit: Result<Option<RayHit>, RangeError>| hit.ok().flatten().map(|hit| hit.point);
+    let point = |hit: std::result::Result<Option<RayHit>, RangeError>| hit.ok().flatten().map(|hit| hit.point);
     match (&tiles, &segments) {
         (Some((a, grid)), Some(b)) => {
             let both = Joined::new(a, b);

@@ -7,17 +7,15 @@ use lexopt::Parser;
 use tilesat::TileShape;
 
 use super::args::{once, text};
-use super::project;
 use crate::fail::{Fail, Result};
-use crate::model::map::{Content, Placed};
-use crate::read::{self, Levels};
-use crate::rules::names;
+use crate::project::{self, scale, solid, weld};
+use crate::read::Levels;
 use crate::rules::options::Options;
 
 /// The text about the level in the usage of each subcommand.
 pub(crate) const LEVEL: &str = "
-LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding) or a
-project of LDtk (.ldtk).
+LEVEL is a map of Tiled (.tmx, .tmj; finite or infinite, in any encoding), a world of
+its maps (.world), or a project of LDtk (.ldtk).
 ";
 
 /// The text about the options.
@@ -45,10 +43,12 @@ All other classes and true properties are flags, at most eight. These options co
   --layer NAME          look for solids in this tile layer only
   --level NAME          take this level of a project (bake and lint: default all)
   --scale N/D           multiply all lengths by this
+  --weld PX             move corners of tiles' collision shapes by up to this, from 0 to 1,
+                        onto their tile's border and onto neighbours' corners (default: 0.25)
 The NAME of a tile is its class, a true property, TILESET:ID, or an IntGrid value (its
 identifier, its number, or LAYER:NUMBER), in any case. A file tilesat.toml beside
 the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
-one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\".
+one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\", weld = \"0.25\".
 Objects are solid if --objects, their class, a true property, their name or their
 layer (rule c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
 the property kind chooses solid, hole, wall (a chain that blocks from both sides) or
@@ -83,6 +83,10 @@ impl Input {
                 let fraction = scale(&text(parser, "--scale")?).map_err(|why| Fail::new(format!("--scale {why}")))?;
                 once(&mut options.scale, "--scale", fraction)?;
             }
+            "weld" => {
+                let most = weld(&text(parser, "--weld")?).map_err(|why| Fail::new(format!("--weld {why}")))?;
+                once(&mut options.weld, "--weld", most)?;
+            }
             _ => return Ok(false),
         }
         Ok(true)
@@ -90,92 +94,7 @@ impl Input {
 
     /// The levels of a file, with the settings of the project file beside it.
     pub(crate) fn load(self, path: &Path) -> Result<(Levels, Options)> {
-        let mut levels = read::load(path, self.level.as_deref())?;
-        let (options, file) = project::beside(path)?;
-        levels.files.extend(file);
-        // The project file may name things that a level does not contain.
-        unknown(&levels, &self.options).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
-        let options = options.then(self.options);
-        Ok((levels, options))
-    }
-}
-
-/// Layers and names of options that no level has. They are probably mistakes.
-fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String> {
-    let all = || levels.maps.iter().flat_map(|map| &map.layers);
-    let layers: Vec<&str> = all().map(|layer| layer.name.as_str()).collect();
-    let of_layers = [
-        ("--solid-layer", &options.solid_layers),
-        ("--ignore-layer", &options.ignored_layers),
-        ("--objects", &options.objects),
-    ];
-    for (option, name) in of_layers.iter().flat_map(|(option, names)| names.iter().map(move |name| (option, name))) {
-        if !layers.iter().any(|layer| crate::rules::same(layer, name)) {
-            return Err(format!("{option} {name}: there is no such layer; there are: {}", shown(&layers)));
-        }
-    }
-    let mut names: Vec<&str> = Vec::new();
-    for tile in levels.maps.iter().flat_map(|map| &map.tilesets).flat_map(|set| set.tiles.values()) {
-        names.extend([tile.class.as_str()].into_iter().chain(tile.properties.marks()).chain(tile.properties.ones()));
-    }
-    for placed in levels.maps.iter().flat_map(|map| &map.palette) {
-        if let Placed::Value { name: Some(name), .. } = placed {
-            names.push(name);
-        }
-    }
-    for layer in all() {
-        if let Content::Objects(objects) = &layer.content {
-            names.extend(
-                objects.iter().flat_map(|object| [object.class.as_str()].into_iter().chain(object.properties.marks())),
-            );
-        }
-    }
-    names.retain(|name| !name.trim().is_empty());
-    names.sort_unstable();
-    // `TILESET:ID`, `LAYER:VALUE` and a value's number may name an unused tile.
-    let is_place = |name: &str| name.contains(':') || name.bytes().all(|b| b.is_ascii_digit());
-    let given = options.shapes.iter().map(|(name, _)| name).chain(&options.flags);
-    match given.into_iter().find(|name| !is_place(name) && !names.iter().any(|known| crate::rules::same(known, name))) {
-        Some(name) => Err(format!("no tile, object or value is called '{name}'; there are: {}", shown(&names))),
-        None => Ok(()),
-    }
-}
-
-/// Unique names, up to a limit.
-fn shown(names: &[&str]) -> String {
-    let mut seen: Vec<&str> = Vec::new();
-    for name in names {
-        if !seen.contains(name) && seen.len() < 20 {
-            seen.push(name);
-        }
-    }
-    if seen.is_empty() { "none".to_owned() } else { seen.join(", ") }
-}
-
-/// `NAME` or `NAME=SHAPE`.
-pub(crate) fn solid(text: &str) -> std::result::Result<(String, TileShape), String> {
-    let Some((name, shape)) = text.rsplit_once('=') else { return Ok((text.to_owned(), TileShape::Full)) };
-    let known = names::shape(shape.trim())
-        .ok_or_else(|| format!("'{shape}' is not a shape; name one such as slope-bottom-left (see --help)"))?;
-    Ok((name.trim().to_owned(), known))
-}
-
-/// `1/2`, `2` or `0.5`.
-pub(crate) fn scale(text: &str) -> std::result::Result<(u32, u32), String> {
-    let wrong = || format!("needs a fraction such as 1/2, got {text}");
-    let number = |text: &str| text.trim().parse::<u32>().ok().filter(|n| (1..=10_000).contains(n)).ok_or_else(wrong);
-    if let Some((n, d)) = text.split_once('/') {
-        return Ok((number(n)?, number(d)?));
-    }
-    match text.trim().split_once('.') {
-        None => Ok((number(text)?, 1)),
-        Some((whole, digits)) if digits.len() <= 4 => {
-            let unit = 10u32.pow(digits.len() as u32);
-            let whole = if whole.is_empty() || whole == "0" { 0 } else { number(whole)? };
-            let rest: u32 = if digits.is_empty() { 0 } else { digits.parse().map_err(|_| wrong())? };
-            Some((whole * unit + rest, unit)).filter(|(n, _)| *n > 0).ok_or_else(wrong)
-        }
-        Some(_) => Err(wrong()),
+        project::load(path, self.level.as_deref(), self.options)
     }
 }
 

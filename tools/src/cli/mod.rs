@@ -2,11 +2,10 @@
 
 mod args;
 mod bake;
-pub(crate) mod input;
+mod input;
 mod lint;
 pub mod play;
 mod program;
-mod project;
 mod rooms;
 mod sheet;
 mod tell;

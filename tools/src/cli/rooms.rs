@@ -19,7 +19,8 @@ const USAGE: &str = "\
 usage: tilesat rooms LEVEL -o OUT.rs [options]
 
 Bakes a world of any size as rooms. No body feels their borders. A map is cut into
-equal rooms; each level of an LDtk project is a room at its position in the world.
+equal rooms; each level of an LDtk project or map of a Tiled world is a room at its
+position in the world.
 ";
 
 const OPTIONS: &str = "

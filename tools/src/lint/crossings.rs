@@ -4,9 +4,9 @@ use std::collections::HashSet;
 
 use super::finding::Severity::{Error, Note, Warning};
 use super::finding::{Severity, Who};
-use super::geometry::{Edge, Meeting, Point, Side, meet};
 use super::index::Work;
 use super::scene::Scene;
+use crate::geometry::{Edge, Meeting, Point, Side, meet};
 use crate::rules::kind::Kind;
 
 /// Returns the outlines that cross another one or themselves, and those that were not checked to

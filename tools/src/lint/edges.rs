@@ -1,6 +1,6 @@
 //! Outlines as edges with a solid side.
 
-use super::geometry::{Edge, Point, Side, doubled_area};
+use crate::geometry::{Edge, Point, Side, doubled_area};
 use crate::rules::kind::Kind;
 use crate::rules::outline::Outline;
 

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::rc::Rc;
 
-use super::geometry::Point;
+use crate::geometry::Point;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {

@@ -1,6 +1,6 @@
 //! Finds edges that are near each other: a tree of boxes, with a limit on the work.
 
-use super::geometry::{Edge, Point, orient};
+use crate::geometry::{Edge, Point, orient};
 
 /// A closed box.
 #[derive(Debug, Clone, Copy)]

@@ -4,7 +4,6 @@ mod crossings;
 mod edges;
 mod finding;
 mod findings;
-pub mod geometry;
 mod index;
 mod nesting;
 mod outlines;

@@ -3,9 +3,9 @@
 use std::collections::HashSet;
 
 use super::finding::Severity::{Error, Warning};
-use super::geometry::{Edge, Point, crossed, orient};
 use super::index::{Bounds, Work};
 use super::scene::Scene;
+use crate::geometry::{Edge, Point, crossed, orient};
 use crate::rules::kind::Kind;
 
 /// Outlines that cross others are on both sides of them. Another check reports those.

@@ -3,8 +3,8 @@
 use super::edges::{in_domain, is_sound};
 use super::finding::Severity::{Error, Note, Warning};
 use super::finding::{Who, pixels};
-use super::geometry::{Point, doubled_area};
 use super::scene::Scene;
+use crate::geometry::{Point, doubled_area};
 use crate::rules::outline::Outline;
 
 pub(super) fn check(scene: &mut Scene<'_>) {
@@ -102,7 +102,7 @@ fn corners(scene: &mut Scene<'_>, i: usize, outline: &Outline) {
     let range = if outline.closed { 0..count } else { 0..count.saturating_sub(2) };
     for k in range {
         let (before, corner, after) = (at(k), at(k + 1), at(k + 2));
-        let cross = super::geometry::orient(corner, before, after).abs();
+        let cross = crate::geometry::orient(corner, before, after).abs();
         let dot = dot(corner, before, after);
         // Less than an eighth of a radian, 7 degrees. Another check finds edges that lie on each
         // other.

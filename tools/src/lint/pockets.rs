@@ -2,9 +2,9 @@
 
 use super::finding::Severity::Warning;
 use super::finding::pixels;
-use super::geometry::{Edge, Point, Side, hides};
 use super::index::{Bounds, Index, Work};
 use super::scene::{Body, Scene};
+use crate::geometry::{Edge, Point, Side, hides};
 
 type Wide = (i128, i128);
 

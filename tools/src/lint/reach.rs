@@ -1,10 +1,10 @@
 //! Finds one-way edges that nothing can land on.
 
 use super::finding::Severity::Warning;
-use super::geometry::{Edge, Point, Side};
 use super::index::{Index, Work};
 use super::nesting;
 use super::scene::{Body, Scene};
+use crate::geometry::{Edge, Point, Side};
 
 const WHY: &str = "a one-way edge stops only bodies entirely in front of it, and none can be there";
 

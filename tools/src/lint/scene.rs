@@ -5,9 +5,9 @@ use std::rc::Rc;
 use super::edges::is_sound;
 use super::finding::{Finding, Severity, Who};
 use super::findings::Findings;
-use super::geometry::{Edge, Point, doubled_area};
 use super::index::Index;
 use super::surface::Surface;
+use crate::geometry::{Edge, Point, doubled_area};
 use crate::rules::ground::Ground;
 use crate::rules::outline::Outline;
 

@@ -8,9 +8,9 @@ use tilesat::{
     world::{Feature, Geometry},
 };
 
-use super::geometry::{Edge, Point, Side};
 use crate::bake::level::Level;
 use crate::fail::{Fail, Result};
+use crate::geometry::{Edge, Point, Side};
 
 pub(super) struct Surface {
     pub layer: String,

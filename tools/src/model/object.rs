@@ -1,6 +1,7 @@
 //! An object of an object layer, or a shape of the collision editor.
 
 use super::decimal::Decimal;
+use super::flip::Flip;
 use super::property::Properties;
 
 /// A point in pixels.
@@ -18,9 +19,21 @@ pub enum Form {
     Polyline(Vec<Spot>),
     Point,
     Text,
-    /// A tileset's picture. The object's own point is this many halves of its size right of its
-    /// left side and below its top.
-    Tile(u32, u32),
+    Tile(Stamp),
+}
+
+/// The picture of a tile as an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Stamp {
+    /// The object's own point is this many halves of its size right of its left side and below its
+    /// top.
+    pub align: (u32, u32),
+    /// The drawing offset of the tileset, scaled with the picture. It turns with the object.
+    pub offset: Spot,
+    /// Index into the tilesets of the map.
+    pub tileset: usize,
+    pub id: u32,
+    pub flip: Flip,
 }
 
 /// An object, with the values of its template.

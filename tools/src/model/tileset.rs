@@ -21,7 +21,7 @@ pub struct Tileset {
     pub spacing: u32,
     /// The drawing offset of the tiles.
     pub offset: (i32, i32),
-    /// For tiles as objects, the halves of [`Form::Tile`](super::object::Form::Tile).
+    /// For tiles as objects, see [`Stamp`](super::object::Stamp).
     pub align: (u32, u32),
     /// Whether tiles are drawn as large as a cell, whatever their size.
     pub fits_grid: bool,

@@ -32,8 +32,10 @@ pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Opt
             let (wide, high) =
                 if map.tilesets[*tileset].fits_grid { (side, side) } else { (size.0 as f32, size.1 as f32) };
             let drawn = map.tilesets[*tileset].offset;
-            let left = x as f32 * side + offset.0 + drawn.0 as f32;
-            let top = (y + 1) as f32 * side - high + offset.1 + drawn.1 as f32;
+            // The offset is scaled with the picture.
+            let scaled = |by: i32, to: f32, from: u32| by as f32 * to / from.max(1) as f32;
+            let left = x as f32 * side + offset.0 + scaled(drawn.0, wide, size.0);
+            let top = (y + 1) as f32 * side - high + offset.1 + scaled(drawn.1, high, size.1);
             let place = |v: f32, start: f32| v * zoom - start * scene.scale;
             let at = (place(left, start.0), place(top, start.1));
             blit(&mut image, at, (wide * zoom, high * zoom), source, from, size, *flip);

@@ -17,12 +17,12 @@ use file::Files;
 #[derive(Debug, Clone)]
 pub struct Levels {
     pub maps: Vec<Map>,
-    /// The file, and the files that it names: tilesets, templates, levels in separate files.
+    /// The file, and the files that it names: tilesets, templates, separate levels and maps.
     pub files: Vec<PathBuf>,
 }
 
-/// Reads a map of Tiled (XML or JSON) or a project of `LDtk`. Of several levels it reads the named
-/// one, or all.
+/// Reads a map of Tiled (XML or JSON), a world of its maps, or a project of `LDtk`. Of several
+/// levels it reads the named one, or all.
 ///
 /// # Errors
 ///
@@ -55,7 +55,7 @@ fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Res
     let bytes = files.bytes(path)?;
     let end = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
     match &*end {
-        "world" => return Err("a world of Tiled: give its maps, one by one".to_owned()),
+        "world" => return tiled::world(&bytes, level, path, files),
         "ldtkl" => return Err("one level of an LDtk project: give the project, which ends in .ldtk".to_owned()),
         _ => {}
     }

@@ -1,9 +1,9 @@
 //! Worlds larger than the coordinates of the library, in rooms. The borders do not affect bodies.
 //!
 //! A map is cut into equal rooms, which are windows of its tiles ([`tilesat::Rooms`]). The levels
-//! of an `LDtk` project are rooms at their position in its world ([`tilesat::Room`]). Each has an
-//! apron of its neighbours' tiles. Every room gets whole copies of the polygons that reach it: cut
-//! polygons would have corners that nobody drew.
+//! of an `LDtk` project and the maps of a world of Tiled are rooms at their position in the world
+//! ([`tilesat::Room`]). Each has an apron of its neighbours' tiles. Every room gets whole copies of
+//! the polygons that reach it: cut polygons would have corners that nobody drew.
 
 mod objects;
 mod part;

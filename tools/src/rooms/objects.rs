@@ -9,15 +9,18 @@ use crate::rules::outline::LeftOut;
 
 /// Gives each object to the room that holds its middle, in coordinates of the room. Where levels
 /// overlap, to its own. Returns those that no room holds, and other parts that no output has.
+///
+/// Objects of several maps of Tiled stay in the room of their map: their ids are those of the map.
 pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<String> {
     let side = i64::from(cell) << 16;
     let mut unused = Vec::new();
+    let apart = parts.len() > 1 && parts.iter().all(|part| part.own_ids);
     for part in parts {
         for object in &part.objects {
             let holds = |room: &Baked| {
                 room.plane == part.plane && object.area.is_some_and(|area| holds_middle(room, area, side))
             };
-            let own = rooms.iter().position(|room| room.name == part.name && holds(room));
+            let own = rooms.iter().position(|room| room.name == part.name && (apart || holds(room)));
             let found = own.or_else(|| rooms.iter().position(holds)).map(|index| &mut rooms[index]);
             let moved = found.map(|room| {
                 let mut object: LeftOut = object.clone();
@@ -34,9 +37,13 @@ pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<Strin
             }
         }
     }
-    let listed: HashSet<u32> = rooms.iter().flat_map(|room| &room.objects).map(|object| object.title.id).collect();
-    for object in rooms.iter_mut().flat_map(|room| &mut room.objects) {
-        object.settle(|id| listed.contains(&id));
+    let scope = |room: usize| if apart { room } else { 0 };
+    let ids = |(number, room): (usize, &Baked)| {
+        room.objects.iter().map(|object| (scope(number), object.title.id)).collect::<Vec<_>>()
+    };
+    let listed: HashSet<(usize, u32)> = rooms.iter().enumerate().flat_map(ids).collect();
+    for (number, room) in rooms.iter_mut().enumerate() {
+        room.objects.iter_mut().for_each(|object| object.settle(|id| listed.contains(&(scope(number), id))));
     }
     unused.extend(rooms.iter().flat_map(|room| lost(&room.objects)));
     unused

@@ -31,6 +31,8 @@ pub(super) struct Part {
     /// The cells that its tiles cover, which can differ.
     covered: Rectangle,
     tiles: Vec<u8>,
+    /// Whether its objects have ids of their own, as in a map of Tiled.
+    pub own_ids: bool,
     /// In raw units of the world.
     pub outlines: Vec<Outline>,
     /// Objects for the game, in raw units of the world.
@@ -42,7 +44,7 @@ impl Part {
         let mut ground = Ground::of(map, options, flags)?;
         let level = Level::with(&ground, &flags.names, ids)?;
         // In a linear world, LDtk puts all levels at (-1, -1).
-        let place = map.place.filter(|place| (place.x, place.y) != (-1, -1));
+        let place = map.place.filter(|place| !map.values || (place.x, place.y) != (-1, -1));
         let place = place.map(|place| scaled(place, options, ground.tile)).transpose()?;
         // Moves the ground until its first cell is at the origin.
         let shift = (i64::from(-ground.shift.0), i64::from(-ground.shift.1));
@@ -70,6 +72,7 @@ impl Part {
             placed: place.is_some(),
             room: place.unwrap_or((0, 0, size.0.max(extent.0), size.1.max(extent.1))),
             covered,
+            own_ids: !map.values,
             tiles: level.map_or_else(Vec::new, |level| level.tiles),
             outlines: ground.outlines,
             objects: ground.left_out,
@@ -136,7 +139,7 @@ impl Part {
                 if let Some((width, height)) = part.common(other) {
                     return Err(Fail::new(format!(
                         "level '{}' and level '{}' share {width}x{height} cells: move one of them, give it another \
-                         depth (worldDepth), or skip it with --ignore-level",
+                         depth (worldDepth, in LDtk), or skip it with --ignore-level",
                         other.name, part.name
                     )));
                 }
@@ -229,7 +232,7 @@ fn scaled(place: Place, options: &Options, tile: u16) -> Result<Rectangle> {
         let (pixels, side) = (pixels * i64::from(n), i64::from(d) * i64::from(tile));
         let why = || {
             Fail::new(format!(
-                "it begins or ends at {pixels} pixels, between cells of {side}: no body can pass there; move it in LDtk"
+                "it begins or ends at {pixels} pixels, between cells of {side}: no body can pass there; move it in the editor"
             ))
         };
         if pixels % side == 0 { Ok(pixels / side) } else { Err(why()) }

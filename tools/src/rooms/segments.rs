@@ -7,7 +7,7 @@ use super::Baked;
 use super::part::Part;
 use crate::bake::segments::Shapes;
 use crate::fail::Result;
-use crate::lint::geometry::doubled_area;
+use crate::geometry::doubled_area;
 use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
 use crate::rules::outline::Outline;

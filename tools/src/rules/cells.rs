@@ -249,6 +249,25 @@ impl Cells {
         Ok(())
     }
 
+    /// The shapes of the cells that are at most `most` raw units from a point, and the corner of
+    /// each cell.
+    pub(super) fn shapes_near(
+        &self,
+        (x, y): (i64, i64),
+        most: i64,
+    ) -> impl Iterator<Item = ((i64, i64), TileShape)> + '_ {
+        let side = i64::from(self.tile.max(1)) << 16;
+        let range = |v: i64, at: i64, count: u32| {
+            let (first, last) = ((v - most - at).div_euclid(side), (v + most - at).div_euclid(side));
+            first.max(0)..(last + 1).min(i64::from(count))
+        };
+        let (columns, rows) = (range(x, self.at.0, self.width), range(y, self.at.1, self.height));
+        rows.flat_map(move |row| columns.clone().map(move |column| (column, row))).map(move |(column, row)| {
+            let kind = self.kinds[(row * i64::from(self.width) + column) as usize];
+            ((self.at.0 + column * side, self.at.1 + row * side), kind.shape)
+        })
+    }
+
     /// Whether a polygon's box lies in one full cell, whose solid contains it.
     pub(super) fn hides(&self, path: &Path) -> bool {
         let side = i64::from(self.tile) << 16;

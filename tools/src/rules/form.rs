@@ -1,7 +1,7 @@
 //! The corners of drawn objects.
 
 use crate::model::decimal::Decimal;
-use crate::model::object::{Form, Object, Spot};
+use crate::model::object::{Form, Object, Spot, Stamp};
 
 /// The corners, and whether the last one joins the first.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,9 +26,9 @@ pub(super) fn corners(object: &Object) -> Option<Corners> {
     let (points, closed, error) = match &object.form {
         Form::Point | Form::Text => return None,
         Form::Rectangle => (box_of(zero, h), true, 0),
-        Form::Tile(across, down) => {
-            let (x, y) = (-w.scaled(*across, 2), -h.scaled(*down, 2));
-            (box_of(zero, h).into_iter().map(|p| (p.0 + x, p.1 + y)).collect(), true, 0)
+        Form::Tile(stamp) => {
+            let points = of_picture(object, stamp, &box_of(zero, h));
+            return Some(Corners { points, closed: true, error: 0 });
         }
         Form::Ellipse => round(object.size, object.size),
         Form::Capsule => {
@@ -43,16 +43,21 @@ pub(super) fn corners(object: &Object) -> Option<Corners> {
             (points[..end].to_vec(), joined, 0)
         }
     };
-    let place = |&point: &Spot| {
-        let (x, y) = turned(point, object.rotation);
-        (object.at.0 + x, object.at.1 + y)
-    };
-    Some(Corners { points: points.iter().map(place).collect(), closed, error })
+    Some(Corners { points: points.into_iter().map(|point| placed(object, point)).collect(), closed, error })
 }
 
-/// How far the polygon of a round object lies within it at most, in thousandths of a pixel.
-pub(super) fn error(object: &Object) -> Option<u32> {
-    corners(object).map(|corners| corners.error).filter(|error| *error > 0)
+/// Points from the corner of a tile's picture, at their positions in the layer.
+pub(super) fn of_picture(object: &Object, stamp: &Stamp, points: &[Spot]) -> Vec<Spot> {
+    let along = |halves: u32, side: Decimal, offset: Decimal| offset - side.scaled(halves, 2);
+    let x = along(stamp.align.0, object.size.0, stamp.offset.0);
+    let y = along(stamp.align.1, object.size.1, stamp.offset.1);
+    points.iter().map(|p| placed(object, (p.0 + x, p.1 + y))).collect()
+}
+
+/// A point of an object at its position in the layer.
+fn placed(object: &Object, point: Spot) -> Spot {
+    let (x, y) = turned(point, object.rotation);
+    (object.at.0 + x, object.at.1 + y)
 }
 
 /// A box of this size whose corners are quarters of an ellipse of that size.

@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use tilesat::TileShape;
 
 use super::cells::Sheet;
-use super::form;
 use super::likeness::Likeness;
 use super::names;
 use super::objects::{self, Says};
@@ -90,12 +89,16 @@ impl<'a> Layers<'a> {
             if only_flags {
                 continue;
             }
-            let piece = piece::of(self.map, &self.map.palette[entry as usize], solid, tiles.tile, &self.likeness);
+            let piece = self.piece(entry, solid, tiles.tile);
             let what = if solid == Solid::Drawn { format!("{what} are {}", became(&piece)) } else { what.clone() };
             self.ledger.add(rule, &what, count);
             sheet.pieces.insert(entry, piece);
         }
         Ok(sheet)
+    }
+
+    fn piece(&self, entry: u32, solid: Solid, tile: u16) -> Piece {
+        piece::of(self.map, &self.map.palette[entry as usize], solid, tile, &self.likeness, self.options.weld())
     }
 
     /// The reason that all tiles of a layer are full, if they are.
@@ -129,8 +132,8 @@ impl<'a> Layers<'a> {
             }
             count += 1;
             sheet.pieces.entry(entry).or_insert_with(|| {
-                let solid = Solid::Shape(TileShape::Full);
-                piece::of(self.map, &self.map.palette[entry as usize], solid, sheet.tiles.tile, &self.likeness)
+                let (full, tile) = (Solid::Shape(TileShape::Full), sheet.tiles.tile);
+                piece::of(self.map, &self.map.palette[entry as usize], full, tile, &self.likeness, 0)
             });
         }
         if count > 0 {
@@ -180,25 +183,27 @@ impl<'a> Layers<'a> {
             if guessed {
                 says = Says::Solid;
             }
-            let before = outlines.len();
+            let mut count = 0;
             for object in objects {
-                match objects::outline(object, layer, says, self.unit, self.options)
+                match objects::outlines(self.map, object, layer, says, self.unit, self.options)
                     .map_err(|why| format!("layer '{}': {why}", layer.name))?
                 {
-                    Ok(outline) => {
-                        rounded.extend(form::error(object).map(|error| {
-                            format!(
-                                "{} is a polygon of {} corners within it, off by at most 0.{error:03} px",
-                                outline.title,
-                                outline.points.len()
-                            )
-                        }));
-                        outlines.push(outline);
+                    Ok(drawn) => {
+                        count += 1;
+                        for (outline, error) in drawn {
+                            if error > 0 {
+                                rounded.push(format!(
+                                    "{} is a polygon of {} corners within it, off by at most 0.{error:03} px",
+                                    outline.title,
+                                    outline.points.len()
+                                ));
+                            }
+                            outlines.push(outline);
+                        }
                     }
                     Err(object) => left_out.push(object),
                 }
             }
-            let count = (outlines.len() - before) as u64;
             if count > 0 && !guessed {
                 let rule = if listed(&self.options.objects, &layer.name) {
                     Rule::Option

@@ -21,6 +21,7 @@ mod report;
 mod traits;
 pub(crate) mod union;
 mod verdict;
+mod weld;
 mod words;
 
 pub use report::{Applied, Rule};

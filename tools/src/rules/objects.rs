@@ -1,14 +1,15 @@
 //! Finds the solid objects: those whose own names or whose layer makes them solid.
 
-use super::form;
+use super::form::{self, Corners};
 use super::kind::Kind;
 use super::options::{Options, listed};
 use super::outline::{LeftOut, Outline, Title};
+use super::piece::{self, Path};
 use super::place::Unit;
 use super::traits;
 use super::words::{self, COLLISION};
 use crate::model::decimal::Decimal;
-use crate::model::map::Layer;
+use crate::model::map::{Layer, Map};
 use crate::model::object::{Form, Object};
 use crate::model::property::Properties;
 use tilesat::TileShape;
@@ -39,14 +40,16 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     if by_option || own.iter().copied().chain(around).any(says) { Says::Solid } else { Says::Nothing }
 }
 
-/// The outline of an object, or the reason that there is none.
-pub(super) fn outline(
+/// The outlines of an object, or the reason that there is none. With each, how far it lies within a
+/// round form at most, in thousandths of a pixel.
+pub(super) fn outlines(
+    map: &Map,
     object: &Object,
     layer: &Layer,
     says: Says,
     unit: Unit,
     options: &Options,
-) -> Result<Result<Outline, LeftOut>, String> {
+) -> Result<Result<Vec<(Outline, u32)>, LeftOut>, String> {
     let title = Title { id: object.id, name: object.name.clone(), layer: layer.name.clone() };
     let raw = |(x, y): (Decimal, Decimal)| (unit.raw(x + layer.offset.0).0, unit.raw(y + layer.offset.1).0);
     let at = raw(object.at);
@@ -83,13 +86,17 @@ pub(super) fn outline(
         // Editors draw it if the user clicks instead of dragging.
         return left_out("it has no size: a point".to_owned());
     }
-    let is_tile = matches!(object.form, Form::Tile(..));
+    let shapes = match &object.form {
+        Form::Tile(stamp) => piece::stamped(&map.tilesets[stamp.tileset], stamp, object.size),
+        _ => Vec::new(),
+    };
+    let is_tile = matches!(object.form, Form::Tile(_));
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
     let kind = match kind(object, says, options)? {
-        // A tile is solid as a whole.
+        // A tile has an inside.
         Some(Kind::Wall) if is_tile => Kind::Solid,
         Some(kind) if !is_tile || !flat => kind,
-        _ if is_tile => return left_out("a tile as an object".to_owned()),
+        _ if is_tile => return left_out(of_tile(shapes.len(), &layer.name)),
         _ => {
             let class = if object.class.is_empty() { &layer.class } else { &object.class };
             let why = if class.is_empty() {
@@ -106,20 +113,41 @@ pub(super) fn outline(
         corners.points.truncate(2);
         corners.closed = false;
     }
-    let mut outline = Outline {
-        title,
-        kind,
-        closed: corners.closed,
-        points: Vec::new(),
-        rounding: Vec::new(),
-        flags: flags(object, options),
+    let flags = flags(object, options);
+    let outline = |kind: Kind, corners: Corners| {
+        let (title, flags) = (title.clone(), flags.clone());
+        let (points, rounding) = (Vec::new(), Vec::new());
+        let mut outline = Outline { title, kind, closed: corners.closed, points, rounding, flags };
+        for (x, y) in corners.points {
+            let ((x, off_x), (y, off_y)) = (unit.raw(x + layer.offset.0), unit.raw(y + layer.offset.1));
+            outline.points.push((x, y));
+            outline.rounding.push(off_x.max(off_y));
+        }
+        (outline, corners.error)
     };
-    for (x, y) in corners.points {
-        let ((x, off_x), (y, off_y)) = (unit.raw(x + layer.offset.0), unit.raw(y + layer.offset.1));
-        outline.points.push((x, y));
-        outline.rounding.push(off_x.max(off_y));
+    // A solid tile has the shapes of Tiled's collision editor, if it has some.
+    let Form::Tile(stamp) = &object.form else { return Ok(Ok(vec![outline(kind, corners)])) };
+    if kind != Kind::Solid || shapes.is_empty() {
+        return Ok(Ok(vec![outline(kind, corners)]));
     }
-    Ok(Ok(outline))
+    let placed = |path: Path| {
+        let points = form::of_picture(object, stamp, &path.points);
+        outline(path.kind, Corners { points, closed: path.closed, error: path.error })
+    };
+    Ok(Ok(shapes.into_iter().map(placed).collect()))
+}
+
+/// Why a tile as an object is not solid, and what makes it so. Many are things of the game with a
+/// picture, so its collision shapes alone do not.
+fn of_tile(shapes: usize, layer: &str) -> String {
+    let what = match shapes {
+        0 => return "a tile as an object".to_owned(),
+        1 => "whose tile has a collision shape".to_owned(),
+        _ => format!("whose tile has {shapes} collision shapes"),
+    };
+    format!(
+        "a tile as an object, {what}: nothing says that it is solid; give it the class Solid, or add --objects '{layer}'"
+    )
 }
 
 /// The kind of an object: from its property `kind`, its names, or its layer. Without a name, from

@@ -24,6 +24,9 @@ pub struct Options {
     pub layer: Option<String>,
     /// A fraction that multiplies all lengths.
     pub scale: Option<(u32, u32)>,
+    /// How far a corner of a tile's polygon may move to meet its tile's border or a neighbour's
+    /// corner, in raw units. See [`weld`](Self::weld).
+    pub weld: Option<i64>,
     /// The level is cut into rooms: it can have any size, and its first cell is at the origin.
     pub rooms: bool,
 }
@@ -40,8 +43,14 @@ impl Options {
         self.ignored_levels.extend(other.ignored_levels);
         self.layer = other.layer.or(self.layer);
         self.scale = other.scale.or(self.scale);
+        self.weld = other.weld.or(self.weld);
         self.rooms |= other.rooms;
         self
+    }
+
+    /// The tolerance of welding, in raw units: a quarter of a pixel by default.
+    pub fn weld(&self) -> i64 {
+        self.weld.unwrap_or(1 << 14)
     }
 
     /// The shape for one of these names, and that name as the user wrote it.

@@ -1,22 +1,31 @@
 //! Outlines beside the grid, for tiles that are not a shape of the library.
 
-use super::cells::Cells;
+use tilesat::TileShape;
+
+use super::cells::{Cells, Placed};
 use super::flags::Flags;
 use super::kind::Kind;
+use super::likeness;
 use super::outline::{Outline, Title};
 use super::place::Unit;
 use super::union;
+use super::weld::{self, Form};
+use crate::model::decimal::Decimal;
+use crate::model::object::Spot;
 
 /// Raw corners.
 type Polygon = Vec<(i64, i64)>;
 
-/// The outlines of these cells' paths. Joins polygons of the same flags.
-pub(super) fn outlines(cells: &Cells, unit: Unit, flags: &Flags, notes: &mut Vec<String>) -> Vec<Outline> {
+/// The outlines of these cells' paths. Welds their corners by up to `weld` raw units, and joins
+/// polygons of the same flags.
+pub(super) fn outlines(cells: &Cells, unit: Unit, weld: i64, flags: &Flags, notes: &mut Vec<String>) -> Vec<Outline> {
     let mut outlines = Vec::new();
     let mut polygons: Vec<(u8, Vec<Polygon>)> = Vec::new();
     let (mut error, mut layers): (u32, Vec<&str>) = (0, Vec::new());
-    for placed in cells.paths.iter().filter(|placed| !cells.hides(&placed.path)) {
-        let raw = placed.path.points.iter().map(|&(x, y)| (unit.raw(x).0, unit.raw(y).0)).collect();
+    let shown: Vec<&Placed> = cells.paths.iter().filter(|placed| !cells.hides(&placed.path)).collect();
+    let (drawn, welded) = welded(cells, &shown, weld);
+    for (placed, points) in shown.into_iter().zip(drawn) {
+        let raw = points.iter().map(|&(x, y)| (unit.raw(x).0, unit.raw(y).0)).collect();
         error = error.max(placed.path.error);
         if placed.path.closed && placed.path.kind == Kind::Solid {
             if !layers.contains(&placed.layer.as_str()) {
@@ -40,7 +49,44 @@ pub(super) fn outlines(cells: &Cells, unit: Unit, flags: &Flags, notes: &mut Vec
     if error > 0 {
         notes.push(format!("ellipses of tiles are polygons within them, off by at most 0.{error:03} px"));
     }
+    if welded > 0 {
+        let most = Decimal::whole(weld).scaled(1, 1 << 16).to_f64();
+        notes.push(format!(
+            "{welded} corners of tiles' shapes are welded: each was within {most} px of its tile's border or of another \
+             corner (--weld 0 leaves them as drawn)"
+        ));
+    }
     outlines
+}
+
+/// The corners of each path after welding, and how many moved.
+fn welded(cells: &Cells, shown: &[&Placed], weld: i64) -> (Vec<Vec<Spot>>, u32) {
+    let mut all: Vec<Vec<Spot>> = shown.iter().map(|placed| placed.path.points.clone()).collect();
+    let mut forms: Vec<Form<'_>> = all
+        .iter_mut()
+        .zip(shown)
+        .map(|(points, placed)| Form { points, closed: placed.path.closed, drawn: placed.path.error == 0 })
+        .collect();
+    let shapes: Vec<Polygon> = TileShape::ALL.iter().map(|shape| on_border(*shape, cells.tile)).collect();
+    let near = |point| {
+        cells
+            .shapes_near(point, weld)
+            .flat_map(|(at, shape)| shapes[shape as usize].iter().map(move |p| (at.0 + p.0, at.1 + p.1)))
+            .collect()
+    };
+    let moved = weld::onto_neighbours(&mut forms, near, weld);
+    (all, moved + shown.iter().map(|placed| placed.path.welded).sum::<u32>())
+}
+
+/// The corners of a shape on the border of its cell. Those within are no other tile's neighbours.
+fn on_border(shape: TileShape, tile: u16) -> Polygon {
+    let raw = |v: f64| (v * 65536.0).round() as i64;
+    let ends = likeness::outline(shape, tile).into_iter().flat_map(|(a, b)| [a, b]);
+    let edge = |v: i64| v == 0 || v == i64::from(tile) << 16;
+    let mut corners: Polygon = ends.map(|(x, y)| (raw(x), raw(y))).filter(|p| edge(p.0) || edge(p.1)).collect();
+    corners.sort_unstable();
+    corners.dedup();
+    corners
 }
 
 fn outline((kind, closed): (Kind, bool), points: Polygon, flags: Vec<String>, layer: &str) -> Outline {

@@ -10,10 +10,12 @@ use super::likeness::{self, Likeness};
 use super::names;
 use super::union::{doubled_area, union};
 use super::verdict::Solid;
+use super::weld;
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
-use crate::model::object::{Form, Object, Spot};
+use crate::model::object::{Form, Object, Spot, Stamp};
+use crate::model::tileset::Tileset;
 
 /// The area that a tile fills.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,21 +38,44 @@ pub(super) struct Path {
     pub(super) points: Vec<Spot>,
     /// In thousandths of a pixel; see [`form::Corners`].
     pub(super) error: u32,
+    /// The corners that moved onto the border of the tile.
+    pub(super) welded: u32,
 }
 
 /// The drawing position of a tile, in pixels from the corner of its cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Frame {
-    x: i64,
-    y: i64,
+    x: Decimal,
+    y: Decimal,
     width: i64,
     height: i64,
 }
 
-/// The area that a tile of a layer with cells of `tile` pixels fills.
-pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness) -> Piece {
+impl Frame {
+    /// At the corner of the cell.
+    fn new(width: i64, height: i64) -> Self {
+        Self { x: Decimal::ZERO, y: Decimal::ZERO, width, height }
+    }
+
+    fn corners(&self) -> (Spot, Spot) {
+        let end = (self.x + Decimal::whole(self.width), self.y + Decimal::whole(self.height));
+        ((self.x, self.y), end)
+    }
+
+    /// The first cell and the number of cells, if it fills whole ones of this side.
+    fn cells(&self, side: i64) -> Option<((i32, i32), (i32, i32))> {
+        let whole = |v: Decimal| Some(v.raw() >> 16).filter(|pixels| Decimal::whole(*pixels) == v);
+        let all = [whole(self.x)?, whole(self.y)?, self.width, self.height];
+        let [x, y, width, height] = all.map(|v| (v / side) as i32);
+        all.iter().all(|v| v % side == 0).then_some(((x, y), (width, height)))
+    }
+}
+
+/// The area that a tile of a layer with cells of `tile` pixels fills. Welds drawn corners by up to
+/// `weld` raw units.
+pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness, weld: i64) -> Piece {
     let side = i64::from(tile);
-    let cell = Frame { x: 0, y: 0, width: side, height: side };
+    let cell = Frame::new(side, side);
     let &Placed::Tile { tileset, id, flip } = placed else {
         return if let Solid::Shape(shape) = solid { Piece::Shape(shape) } else { Piece::Paths(Vec::new()) };
     };
@@ -58,31 +83,63 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
     let (w, h) = set.size_of(id);
     let own = (i64::from(w), i64::from(h));
     let fits = map.values || set.fits_grid || w == 0 || h == 0;
-    let (width, height) = if flip.diagonal { (own.1, own.0) } else { own };
-    // Tiled draws tiles upward from the lower left corner of their cell.
-    let frame = Frame { x: set.offset.0.into(), y: side - height + i64::from(set.offset.1), width, height };
-    let frame = if fits { cell } else { frame };
+    let (width, height) = match (fits, flip.diagonal) {
+        (true, _) => (side, side),
+        (false, true) => (own.1, own.0),
+        (false, false) => own,
+    };
+    // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn at
+    // another size scales its offset with it.
+    let offset = |by: i32, own: u32| match own {
+        1.. if fits => Decimal::whole(by.into()).scaled(side as u32, own),
+        _ => Decimal::whole(by.into()),
+    };
+    let (x, y) = (offset(set.offset.0, w), Decimal::whole(side - height) + offset(set.offset.1, h));
+    let frame = Frame { x, y, width, height };
     match solid {
         Solid::Shape(shape) if frame == cell => Piece::Shape(shape),
-        Solid::Shape(TileShape::Full) if [frame.x, frame.y, width, height].iter().all(|v| v % side == 0) => {
-            let cells = |v: i64| (v / side) as i32;
-            Piece::Cells { at: (cells(frame.x), cells(frame.y)), size: (cells(width), cells(height)) }
-        }
-        Solid::Shape(shape) => Piece::Paths(stretched(shape, frame)),
+        Solid::Shape(shape) => match frame.cells(side).filter(|_| shape == TileShape::Full) {
+            Some((at, size)) => Piece::Cells { at, size },
+            None => Piece::Paths(stretched(shape, frame)),
+        },
         Solid::Drawn => {
             let shapes = set.tiles.get(&id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
             // A tile that is drawn as large as a cell scales its shapes with it.
             let size = if w == 0 || h == 0 { (side, side) } else { own };
-            let paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
+            let mut paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
+            for path in paths.iter_mut().filter(|path| path.error == 0) {
+                path.welded = weld::onto_border(&mut path.points, path.closed, frame.corners(), weld);
+            }
             if frame == cell { recognised(paths, likeness) } else { Piece::Paths(paths) }
         }
     }
 }
 
+/// The collision shapes of a tile as an object, from the corner of its picture, which is drawn at
+/// this size.
+pub(super) fn stamped(set: &Tileset, stamp: &Stamp, size: Spot) -> Vec<Path> {
+    let (w, h) = set.size_of(stamp.id);
+    let own = (i64::from(w), i64::from(h));
+    let (across, down) = if stamp.flip.diagonal { (own.1, own.0) } else { own };
+    let fit = |v: Decimal, from: i64, to: Decimal| match from {
+        1.. if Decimal::whole(from) != to => Decimal::from_f64(v.to_f64() * to.to_f64() / from as f64),
+        _ => v,
+    };
+    let shapes = set.tiles.get(&stamp.id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
+    let mut paths: Vec<Path> =
+        shapes.iter().filter_map(|shape| path(shape, own, stamp.flip, Frame::new(across, down))).collect();
+    for point in paths.iter_mut().flat_map(|path| &mut path.points) {
+        *point = (fit(point.0, across, size.0), fit(point.1, down, size.1));
+    }
+    // A click in the collision editor leaves a rectangle without a size.
+    let area = |path: &Path| doubled_area(&path.points.iter().map(|(x, y)| (x.raw(), y.raw())).collect::<Vec<_>>());
+    paths.retain(|path| !path.closed || area(path) != 0);
+    paths
+}
+
 /// A shape of the library as a path.
 pub(super) fn as_path(shape: TileShape, tile: u16) -> Vec<Path> {
-    let side = i64::from(tile);
-    stretched(shape, Frame { x: 0, y: 0, width: side, height: side })
+    stretched(shape, Frame::new(tile.into(), tile.into()))
 }
 
 /// A shape of the library in a box. Arcs become chords.
@@ -91,9 +148,7 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
     const SIDE: u16 = 64;
     let lines = likeness::outline(shape, SIDE);
     let place = |(x, y): (f64, f64)| {
-        let along = |v: f64, from: i64, length: i64| {
-            Decimal::whole(from) + Decimal::from_f64(v * length as f64 / f64::from(SIDE))
-        };
+        let along = |v: f64, from: Decimal, length: i64| from + Decimal::from_f64(v * length as f64 / f64::from(SIDE));
         (along(x, frame.x, frame.width), along(y, frame.y, frame.height))
     };
     // The library promises no order of faces. Each begins where another one ends.
@@ -110,7 +165,7 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
         points.push(end);
     }
     let kind = if closed { Kind::Solid } else { Kind::OneWay };
-    vec![Path { kind, closed, points: points.into_iter().map(place).collect(), error: 0 }]
+    vec![Path { kind, closed, points: points.into_iter().map(place).collect(), error: 0, welded: 0 }]
 }
 
 fn near(a: (f64, f64), b: (f64, f64)) -> bool {
@@ -142,14 +197,14 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
         let x = if flip.horizontal { Decimal::whole(across) - x } else { x };
         let y = if flip.vertical { Decimal::whole(down) - y } else { y };
         let fit = |v: Decimal, from: i64, to: i64| if from == to { v } else { v.scaled(to as u32, from.max(1) as u32) };
-        (Decimal::whole(frame.x) + fit(x, across, frame.width), Decimal::whole(frame.y) + fit(y, down, frame.height))
+        (frame.x + fit(x, across, frame.width), frame.y + fit(y, down, frame.height))
     };
     points = points.into_iter().map(place).collect();
     // A mirrored chain would block from its other side.
     if flip.diagonal ^ flip.horizontal ^ flip.vertical {
         points.reverse();
     }
-    Some(Path { kind, closed, points, error: corners.error })
+    Some(Path { kind, closed, points, error: corners.error, welded: 0 })
 }
 
 /// A tile with more corners is not a shape of the library.

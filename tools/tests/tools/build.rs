@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tilesat_tools::build;
 
-use crate::support::{folder, ldtk, objects, rows};
+use crate::support::{folder, ldtk, map, objects, rows};
 
 /// An empty folder for levels, and the file for their source.
 fn places() -> (PathBuf, PathBuf) {
@@ -36,12 +36,49 @@ fn a_module_for_each_level() {
     }
 }
 
+/// Cargo shows what was left out, and why. A level without surprises prints nothing.
+#[test]
+fn what_was_left_out_is_a_warning() {
+    let (levels, out) = places();
+    fs::write(levels.join("calm.tmx"), rows(&["#.#", "###"])).unwrap();
+    assert_eq!(build::folder(&levels, &out).unwrap().warnings, [""; 0]);
+
+    let far = r#"<object id="3" name="spawn" class="Spawn" x="9000" y="0"><point/></object>"#;
+    let bag = r#"<object id="4" type="Chest" x="1" y="1" width="3" height="3"><properties>
+        <property name="loot" type="class" propertytype="Loot"/></properties></object>"#;
+    let slip = r#"<object id="5" type="Sollid" x="1" y="1" width="3" height="3"/>"#;
+    let loose = |list: &str| map(2, 1, "1,1", list).replace(r#"name="L" class="Solid""#, r#"name="things""#);
+    fs::write(levels.join("left out.tmx"), loose(&format!("{far}{bag}{slip}"))).unwrap();
+    let guess = rows(&["##"]).replace(r#"<tile id="0" type="Solid"/>"#, "").replace("World", "Ground");
+    fs::write(levels.join("guess.tmx"), guess).unwrap();
+    let folder = build::folder(&levels, &out).unwrap();
+    let parts = [
+        ("guess.tmx", "GUESS: nothing marks solid tiles, so layer 'Ground' is solid because of its name"),
+        ("left out.tmx", "object 3 'spawn' of layer 'things' at (9000, 0): it is outside of the domain"),
+        ("left out.tmx", "the name 'Sollid': it is no word of the rules, and nearly 'solid'"),
+        ("left out.tmx", "property 'loot' of object 4 of layer 'things': a class"),
+    ];
+    assert_eq!(folder.warnings.len(), parts.len(), "{:?}", folder.warnings);
+    for (line, (file, why)) in folder.warnings.iter().zip(parts) {
+        assert!(line.starts_with(&format!("{}: {why}", levels.join(file).display())), "{line}");
+    }
+    let text = folder.to_string();
+    assert_eq!(text.lines().filter(|line| line.starts_with("cargo::warning=")).count(), parts.len(), "{text}");
+    assert_eq!(text.lines().filter(|line| line.starts_with("cargo::rerun-if-changed=")).count(), 3, "{text}");
+
+    // An author who names a level `a\ncargo::rustc-env=X=Y` gets no line of Cargo.
+    let many = build::Folder { warnings: vec!["one\ncargo::rustc-env=X=Y".to_owned(); 51], ..build::Folder::default() };
+    let text = many.to_string();
+    assert_eq!(text.lines().count(), 51, "{text}");
+    assert!(text.lines().all(|line| line.starts_with("cargo::warning=")) && text.contains("and 1 more"), "{text}");
+}
+
 /// Reports all wrong levels at once, a line each, and writes nothing.
 #[test]
 fn every_fault_has_its_line() {
     let (levels, out) = places();
     let of_folder = |folder: &Path| build::folder(folder, &out).unwrap_err();
-    assert!(of_folder(&levels).to_string().ends_with("has no level: no file ends in .tmx, .tmj, .ldtk"));
+    assert!(of_folder(&levels).to_string().ends_with("has no level: no file ends in .tmx, .tmj, .world, .ldtk"));
     assert!(of_folder(&levels.join("none")).to_string().starts_with("cannot read the folder "));
 
     fs::write(levels.join("good.tmx"), rows(&["##"])).unwrap();

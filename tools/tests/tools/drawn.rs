@@ -280,7 +280,7 @@ fn messages_say_what_helps() {
         (file("flat.tmx", &solid(flat)), ["object 1 of layer 'L'", "its width is 0", "polyline"]),
         (file("bare.tmj", "{}"), ["not a Tiled map", "orientation", ""]),
         (file("bare.json", "{}"), ["neither a map of Tiled", "nor a project of LDtk", ""]),
-        (file("w.world", r#"{"maps":[],"type":"world"}"#), ["a world of Tiled", "its maps", ""]),
+        (file("w.world", r#"{"maps":[],"type":"world"}"#), ["a world of Tiled", "without maps", "World Tool"]),
         (
             file("l.ldtkl", r#"{"identifier":"A","layerInstances":[]}"#),
             ["one level of an LDtk project", "give the project", ".ldtk"],

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use tilesat::TileKind;
-use tilesat_tools::lint::geometry::{Edge, Meeting, Point, Side, doubled_area, meet, orient, winding};
+use tilesat_tools::geometry::{Edge, Meeting, Point, Side, doubled_area, meet, orient, winding};
 use tilesat_tools::lint::{self, Rules, SHOWN, Severity};
 use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::kind::Kind;

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::Ratio;
-use tilesat_tools::lint::geometry::{Edge, Meeting, Point, Side, doubled_area, meet, winding};
+use tilesat_tools::geometry::{Edge, Meeting, Point, Side, doubled_area, meet, winding};
 use tilesat_tools::model::decimal::Decimal;
 
 type Fraction = Ratio<BigInt>;

@@ -23,4 +23,7 @@ mod outputs;
 mod play;
 mod rooms;
 mod shapes;
+mod stamps;
 mod support;
+mod weld;
+mod worlds;

@@ -1,5 +1,5 @@
-//! Maps of Tiled, in XML and in JSON. Both are read into the same [`raw`] form, from which this
-//! makes a level.
+//! Maps of Tiled, in XML and in JSON, and worlds of them. Both formats are read into the same
+//! [`raw`] form, from which this makes a level.
 
 mod data;
 mod objects;
@@ -7,6 +7,7 @@ mod raw;
 mod sets;
 mod tags;
 mod unpack;
+mod world;
 
 use std::path::Path;
 
@@ -17,6 +18,7 @@ use crate::model::map::{Content, Layer, Map, Tiles};
 use crate::model::object::Spot;
 use data::{Form, MAX_CELLS};
 use sets::Sets;
+pub(super) use world::read as world;
 
 type Result<T> = std::result::Result<T, String>;
 
@@ -27,6 +29,11 @@ const MAX_LAYERS: usize = 1000;
 
 /// Reads the bytes of a map in this file.
 pub(super) fn read(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<Map> {
+    map(bytes, path, files).map(|(map, _)| map)
+}
+
+/// The same, and whether the map is infinite: then its size is that of nothing.
+fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     let map: raw::Map = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::map(&bytes) }
         .map_err(|why| format!("not a Tiled map: {why}"))?;
     drop(bytes);
@@ -40,7 +47,7 @@ pub(super) fn read(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<Map
     for layer in map.layers {
         reader.layer(layer, &Around::default())?;
     }
-    Ok(Map {
+    let read = Map {
         name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
         tile,
         size: (map.width, map.height),
@@ -49,7 +56,8 @@ pub(super) fn read(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<Map
         layers: reader.layers,
         place: None,
         values: false,
-    })
+    };
+    Ok((read, map.infinite))
 }
 
 fn side(map: &raw::Map) -> Result<u16> {

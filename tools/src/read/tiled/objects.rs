@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::{raw, tags};
 use crate::model::decimal::Decimal;
-use crate::model::object::{Form, Object};
+use crate::model::flip::Flip;
+use crate::model::object::{Form, Object, Stamp};
 use crate::model::property::Properties;
 use crate::model::tileset::Tileset;
 use crate::read::file::Files;
@@ -85,7 +86,7 @@ fn with_rest(mut own: Properties, others: &Properties) -> Properties {
 }
 
 /// An object with the size, the class and the properties of its tile, as far as it has none.
-pub(super) fn of_tile(object: raw::Object, set: &Tileset, id: u32) -> Result<Object> {
+pub(super) fn of_tile(object: raw::Object, set: &Tileset, (tileset, id, flip): (usize, u32, Flip)) -> Result<Object> {
     let (width, height) = set.size_of(id);
     let along = |own: Option<raw::Number>, side: u32| {
         own.filter(|own| own.0 != Decimal::ZERO).or(Some(raw::Number(Decimal::whole(side.into()))))
@@ -96,8 +97,15 @@ pub(super) fn of_tile(object: raw::Object, set: &Tileset, id: u32) -> Result<Obj
         object.properties.0 = with_rest(object.properties.0, &tile.properties);
     }
     let mut object = shape(object)?;
-    if let Form::Tile(across, down) = &mut object.form {
-        (*across, *down) = set.align;
+    // Polygons and points stay what they are.
+    if object.form == Form::Rectangle {
+        let scaled = |by: i32, side: Decimal, own: u32| match own {
+            0 => Decimal::whole(by.into()),
+            _ if by < 0 => -side.scaled(by.unsigned_abs(), own),
+            _ => side.scaled(by.unsigned_abs(), own),
+        };
+        let offset = (scaled(set.offset.0, object.size.0, width), scaled(set.offset.1, object.size.1, height));
+        object.form = Form::Tile(Stamp { align: set.align, offset, tileset, id, flip });
     }
     Ok(object)
 }
@@ -128,7 +136,6 @@ pub(super) fn shape(object: raw::Object) -> Result<Object> {
         raw::Object { ellipse: true, .. } => Form::Ellipse,
         raw::Object { capsule: true, .. } => Form::Capsule,
         raw::Object { text: true, .. } => Form::Text,
-        raw::Object { gid: Some(_), .. } => Form::Tile(0, 2),
         _ => Form::Rectangle,
     };
     let number = |number: Option<raw::Number>| number.map_or(Decimal::ZERO, |number| number.0);

@@ -100,7 +100,7 @@ impl Sets {
             (Some(gid), _) => self.tile(gid),
         };
         match found.map_err(|why| format!("object {id}: {why}"))? {
-            Some((index, tile, _)) => of_tile(object, &self.all[index], tile),
+            Some(found) => of_tile(object, &self.all[found.0], found),
             None => shape(object),
         }
     }
