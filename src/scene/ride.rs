@@ -15,28 +15,34 @@ use crate::num::{Fx, MOTION, Vec2};
 use crate::query::Touches;
 use crate::world::{Joined, World};
 use core::cmp::Reverse;
+use core::mem::take;
 
 /// How far from a solid a body may be that still stands on it, in raw units.
 const NEAR: u32 = 8;
 
-/// How far above another body a body may be that lies on it: steps round by that much.
-const GAP: i32 = 2;
+/// How far above another body a body may be that lies on it, in raw units. Steps round by 2. Where
+/// the lower one slid down a slope in the step before, gaps of 14 were seen.
+const GAP: i32 = 32;
 
-/// What a ride does with a body. It is kept where the next step counts hits.
+/// What a ride does with a body. It is kept where the next step counts hits, with the way of its
+/// carrier (`kick`) and the push of a solid (`low`).
 const STAYS: u16 = 0;
 const CARRIED: u16 = 1;
 /// Lies on a body that is carried.
 const TAKEN: u16 = 2;
-/// It was in a solid's way, or it cannot be moved.
+/// It was in a solid's way.
 const PUSHED: u16 = 3;
+/// It has no room, or it cannot be moved.
+const HELD: u16 = 4;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// Moves solids: they carry the bodies that stand on them, with whole piles, and push those in
     /// their way.
     ///
     /// All solids go by their motions or [turns](crate::world::ConvexSolid::with_turn) at once.
-    /// Call this once per frame, *before* the [step](Self::step), and then step in the level
-    /// [joined](crate::Joined) with them. There bodies stand on the solids, bounce off them, and
+    /// Call this once per frame, *before* the [step](Self::step), with all solids in one list: a
+    /// `ConvexSolid<AnyShape<N>>` can be a box, too. Pass the plain level here, and step in the
+    /// level [joined](crate::Joined) with the solids. There bodies stand on the solids, bounce off them, and
     /// bullets hit them. [`Solids::key_of`](crate::Solids::key_of) reads from a hit which one.
     ///
     /// ```text
@@ -56,18 +62,23 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///   body shall leave a lift with the lift's speed, [push](Self::push) it by the motion.
     /// - **Piles**: a body on a carried body goes by the same motion, as far as the level and the
     ///   solids let it. A body on several goes with the one that rises most, then with the smaller
-    ///   key. Other bodies do not stop a ride; if they overlap then, the step parts them.
+    ///   key. If a solid pushes it as well, the push comes first. Other bodies do not stop a ride;
+    ///   if they overlap then, the step parts them. So a pile that is pressed against a ceiling
+    ///   overlaps, and no body of it is squashed. The last step counts for what lies on what: a
+    ///   body inserted since then lies on nothing.
     /// - **Squashed** bodies are reported and stay. Each step [holds](super::SceneEvent::Held) them
     ///   until the solid has passed.
-    /// - Solids that move wake the bodies near them. Bodies on a lift that stands may sleep.
+    /// - Solids that move wake the bodies near them, and those that they carry or push wake their
+    ///   whole piles. Bodies on a lift that stands may sleep.
     ///
     /// `each` receives every body that is carried, pushed or squashed by a solid, and the faults of
     /// bodies that cannot be moved. They come in no particular order. If keys are unique, no result
     /// depends on the order of bodies or solids.
     ///
     /// If no solid moves, the call does nothing. Otherwise it costs a region query for each moving
-    /// solid, a few comparisons for each body and solid, and a ride for each body near one. If
-    /// bodies are carried, it costs a region query for each body that lies on others.
+    /// solid, a few comparisons for each body and solid, and a ride for each body near one. If one
+    /// is carried or pushed, it costs a region query for each body that is awake, and if one is
+    /// carried, another for each body that lies on others.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
@@ -123,36 +134,41 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             return Ok(());
         }
         let mover = if gravity == Vec2::ZERO { Mover::new() } else { Mover::platformer(toward(gravity).reversed()) };
-        let (mut most, mut carries) = (0, false);
+        let (mut acts, mut carries) = (false, false);
         let none = T::level(&[]);
         let here = Joined::new(level, &none);
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if slot.support != ALOFT {
-                most = most.max(slot.support);
-            }
             let bounds = slot.body.shape.aabb();
             let near = |solid: &T| solid.reach().is_some_and(|reach| around(&reach, NEAR).touches(&bounds));
-            let (does, by) = if solids.iter().any(near) {
+            let (does, way, push) = if solids.iter().any(near) {
                 let asked = slot.body.shape.visit(Ask(&mover, &here, &*solids, follow));
-                let (does, by) = match asked {
-                    Ok((Ride::Free, _)) => (STAYS, Vec2::ZERO),
-                    Ok((Ride::Carried, by)) => (CARRIED, by),
-                    Ok((_, by)) => (PUSHED, by),
-                    Err(_) => (PUSHED, Vec2::ZERO),
+                let (does, way, push) = match asked {
+                    Ok((Ride::Free, _)) => (STAYS, Vec2::ZERO, Vec2::ZERO),
+                    Ok((Ride::Carried, by)) => (CARRIED, by, Vec2::ZERO),
+                    Ok((Ride::Pushed { .. }, by)) => (PUSHED, Vec2::ZERO, by),
+                    Ok((Ride::Squashed { .. }, by)) => (HELD, Vec2::ZERO, by),
+                    Err(_) => (HELD, Vec2::ZERO, Vec2::ZERO),
                 };
                 if does != STAYS {
                     each(handle, asked.map(|(ride, _)| ride));
                 }
-                (does, by)
+                (does, way, push)
             } else {
-                (STAYS, Vec2::ZERO)
+                (STAYS, Vec2::ZERO, Vec2::ZERO)
             };
+            acts |= does != STAYS;
             carries |= does == CARRIED;
-            (slot.tally.hits, slot.tally.kick) = (does, by);
+            (slot.tally.hits, slot.tally.kick, slot.tally.low) = (does, way, push);
+        }
+        if acts {
+            // Else what lies on a body that was awake before would sleep on in the air.
+            self.wake_on(0);
         }
         if carries {
-            (1..=most).for_each(|support| self.take_along(support, gravity));
+            let lying = self.awake.iter().take(self.count).filter_map(|handle| self.slots.get(handle.slot()));
+            let most = lying.map(|slot| slot.support).filter(|support| *support != ALOFT).max();
+            (1..=most.unwrap_or(0)).for_each(|support| self.take_along(support, gravity));
         }
         T::move_each(solids);
         let moved = T::level(solids);
@@ -168,11 +184,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.wake_region(&around(&reach, NEAR));
         }
         if moves {
-            self.wake_along(from, &mut Unasked);
-            self.tell_woken(from);
+            self.wake_on(from);
             self.memory.fill(Place::Empty);
         }
         moves
+    }
+
+    /// Wakes the piles of the bodies that are awake, from one of the list on.
+    fn wake_on(&mut self, from: usize) {
+        let awake = self.count;
+        self.wake_along(from, &mut Unasked);
+        self.tell_woken(awake);
     }
 
     /// The bodies with this many others below them go with one that is carried, if they lie on one.
@@ -182,7 +204,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         for k in 0..self.count {
             let Some(&handle) = self.awake.get(k) else { continue };
             let Some(slot) = self.slots.get(handle.slot()) else { continue };
-            if slot.support != support || slot.tally.hits != STAYS {
+            if slot.support != support || !matches!(slot.tally.hits, STAYS | PUSHED) {
                 continue;
             }
             let shape = slot.body.shape;
@@ -209,18 +231,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     fn go_along<W: World>(&mut self, mover: &Mover, world: &W, each: &mut dyn FnMut(Handle, Result<Ride, SceneFault>)) {
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            let (does, by) = (core::mem::take(&mut slot.tally.hits), core::mem::take(&mut slot.tally.kick));
-            if by == Vec2::ZERO {
+            let does = take(&mut slot.tally.hits);
+            let (way, push) = (take(&mut slot.tally.kick), take(&mut slot.tally.low));
+            if (way, push) == (Vec2::ZERO, Vec2::ZERO) {
                 continue;
             }
-            let shape = slot.body.shape;
-            let to = if does == TAKEN { shape.visit(Along(mover, world, by)) } else { Ok(shape.shifted(by)) };
-            let put = to.and_then(|to| {
-                self.near.move_to(handle, &to.aabb())?;
-                slot.body.shape = to;
-                Ok(())
-            });
-            if let Err(fault) = put {
+            let to = slot.body.shape.shifted(if does == CARRIED { way } else { push });
+            // From where the solids have pushed it, it is in none of them.
+            let along = if does == TAKEN { to.visit(Along(mover, world, way - push)) } else { Ok(to) };
+            let (to, fault) = along.map_or_else(|fault| (to, Some(fault)), |to| (to, None));
+            let put = self.near.move_to(handle, &to.aabb()).map(|()| slot.body.shape = to);
+            if let Some(fault) = fault.or(put.err().map(SceneFault::from)) {
                 each(handle, Err(fault));
             }
         }

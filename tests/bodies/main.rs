@@ -16,6 +16,7 @@ mod response_verlet;
 mod rollback;
 mod scene_change;
 mod scene_levels;
+mod scene_lifts;
 mod scene_memory;
 mod scene_replies;
 mod scene_rest;

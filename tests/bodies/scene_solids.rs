@@ -54,6 +54,7 @@ struct Seen {
     squashed: u32,
     /// Moved by what they lie on.
     taken: u32,
+    pushed_along: u32,
     steps: u32,
 }
 
@@ -92,6 +93,10 @@ fn play(kinds: i64, seed: u64, seen: &mut Seen) {
             let told: Vec<_> = told.iter().map(|(at, ride)| (one.body(*at).unwrap().key, *ride)).collect();
             let after = all(&one);
             assert_eq!(after, all(&two), "shuffled");
+            let moved = ConvexSolids::new(&list);
+            let moved = Joined::new(&level, &moved);
+            let rides = before.iter().map(|b| MOVER.ride_convex(&level, &solids, &b.shape, follow()).unwrap());
+            let ways: Vec<_> = rides.filter(|it| it.ride == Ride::Carried).map(|it| it.motion).collect();
             for (from, to) in before.iter().zip(&after) {
                 let case = || format!("{from:?}\n{to:?}\n{}", show(&solids));
                 let ridden = MOVER.ride_convex(&level, &solids, &from.shape, follow()).unwrap();
@@ -105,6 +110,12 @@ fn play(kinds: i64, seed: u64, seen: &mut Seen) {
                 assert!(squashed || !list.iter().any(|s| figure.meets(&Figure::of(&s.shape()))), "in: {}", case());
                 match ride {
                     Ride::Free => seen.taken += u32::from(from.shape != to.shape),
+                    // After the push it goes with the one that it lies on, as far as it can.
+                    Ride::Pushed { .. } if to.shape != ridden.body => {
+                        let along = |way| MOVER.move_and_slide(&moved, &ridden.body, way - ridden.motion);
+                        assert!(ways.iter().any(|way| along(*way).unwrap().body == to.shape), "{}", case());
+                        seen.pushed_along += 1;
+                    }
                     _ => assert_eq!(to.shape, ridden.body, "{}", case()),
                 }
                 seen.carried += u32::from(ride == Ride::Carried);
@@ -137,7 +148,10 @@ fn play(kinds: i64, seed: u64, seen: &mut Seen) {
         }
     }
     println!("{seen:?}");
-    assert!(seen.carried.min(seen.pushed) > 100 && seen.squashed.min(seen.taken) > 0, "{seen:?}");
+    assert!(
+        seen.carried.min(seen.pushed) > 100 && seen.squashed.min(seen.taken).min(seen.pushed_along) > 0,
+        "{seen:?}"
+    );
 }
 
 #[test]
