@@ -37,7 +37,7 @@ fn quad_at(r: &mut Random, at: (i32, i32)) -> Option<Quad> {
 fn kite_at(r: &mut Random, at: (i32, i32)) -> Option<Quad> {
     let mut corners = turned_at(r, at)?.corners();
     for corner in &mut corners {
-        *corner = *corner + Vec2::from_raw(r.raw(-3, 3), r.raw(-3, 3));
+        *corner += Vec2::from_raw(r.raw(-3, 3), r.raw(-3, 3));
     }
     Quad::new(&corners).ok()
 }
