@@ -3,8 +3,7 @@
 
 use super::Shape;
 use super::kernel::BodyShape;
-use super::way::BodyWay;
-use super::way::Drift;
+use super::way::{BodyWay, Drift};
 use crate::broad::{Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::{Responses, Surface};

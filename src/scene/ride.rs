@@ -141,22 +141,21 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             let bounds = slot.body.shape.aabb();
             let near = |solid: &T| solid.reach().is_some_and(|reach| around(&reach, NEAR).touches(&bounds));
-            let (does, way, push) = if solids.iter().any(near) {
-                let asked = slot.body.shape.visit(Ask(&mover, &here, &*solids, follow));
-                let (does, way, push) = match asked {
-                    Ok((Ride::Free, _)) => (STAYS, Vec2::ZERO, Vec2::ZERO),
-                    Ok((Ride::Carried, by)) => (CARRIED, by, Vec2::ZERO),
-                    Ok((Ride::Pushed { .. }, by)) => (PUSHED, Vec2::ZERO, by),
-                    Ok((Ride::Squashed { .. }, by)) => (HELD, Vec2::ZERO, by),
-                    Err(_) => (HELD, Vec2::ZERO, Vec2::ZERO),
-                };
-                if does != STAYS {
-                    each(handle, asked.map(|(ride, _)| ride));
-                }
-                (does, way, push)
+            let asked = if solids.iter().any(near) {
+                slot.body.shape.visit(Ask(&mover, &here, &*solids, follow))
             } else {
-                (STAYS, Vec2::ZERO, Vec2::ZERO)
+                Ok((Ride::Free, Vec2::ZERO))
             };
+            let (does, way, push) = match asked {
+                Ok((Ride::Free, _)) => (STAYS, Vec2::ZERO, Vec2::ZERO),
+                Ok((Ride::Carried, by)) => (CARRIED, by, Vec2::ZERO),
+                Ok((Ride::Pushed { .. }, by)) => (PUSHED, Vec2::ZERO, by),
+                Ok((Ride::Squashed { .. }, by)) => (HELD, Vec2::ZERO, by),
+                Err(_) => (HELD, Vec2::ZERO, Vec2::ZERO),
+            };
+            if does != STAYS {
+                each(handle, asked.map(|(ride, _)| ride));
+            }
             acts |= does != STAYS;
             carries |= does == CARRIED;
             (slot.tally.hits, slot.tally.kick, slot.tally.low) = (does, way, push);

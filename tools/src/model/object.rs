@@ -7,6 +7,11 @@ use super::property::Properties;
 /// A point in pixels.
 pub type Spot = (Decimal, Decimal);
 
+/// The same points in raw units.
+pub(crate) fn raw(points: &[Spot]) -> Vec<(i64, i64)> {
+    points.iter().map(|(x, y)| (x.raw(), y.raw())).collect()
+}
+
 /// The form of an object.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Form {

@@ -12,6 +12,7 @@ use super::piece::{self, Path, Piece};
 use super::place::Unit;
 use crate::model::decimal::Decimal;
 use crate::model::map::{Layer, Tiles};
+use crate::model::object::raw;
 
 /// The most edges. A segment map holds 32768 segments.
 const MAX_EDGES: usize = 1 << 19;
@@ -272,7 +273,7 @@ impl Cells {
     pub(super) fn hides(&self, path: &Path) -> bool {
         let side = i64::from(self.tile) << 16;
         let cell = |(x, y): (i64, i64)| ((x - self.at.0).div_euclid(side), (y - self.at.1).div_euclid(side));
-        let raw: Vec<(i64, i64)> = path.points.iter().map(|(x, y)| (x.raw(), y.raw())).collect();
+        let raw = raw(&path.points);
         let lo = raw.iter().fold((i64::MAX, i64::MAX), |at, p| (at.0.min(p.0), at.1.min(p.1)));
         let hi = raw.iter().fold((i64::MIN, i64::MIN), |at, p| (at.0.max(p.0), at.1.max(p.1)));
         if raw.is_empty() || self.kinds.is_empty() || path.kind == Kind::Hole {

@@ -8,13 +8,14 @@ use super::form;
 use super::kind::Kind;
 use super::likeness::{self, Likeness};
 use super::names;
-use super::union::{doubled_area, union};
+use super::union::union;
 use super::verdict::Solid;
 use super::weld;
+use crate::geometry::doubled_area;
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
-use crate::model::object::{Form, Object, Spot, Stamp};
+use crate::model::object::{Form, Object, Spot, Stamp, raw};
 use crate::model::tileset::Tileset;
 
 /// The area that a tile fills.
@@ -132,8 +133,7 @@ pub(super) fn stamped(set: &Tileset, stamp: &Stamp, size: Spot) -> Vec<Path> {
         *point = (fit(point.0, across, size.0), fit(point.1, down, size.1));
     }
     // A click in the collision editor leaves a rectangle without a size.
-    let area = |path: &Path| doubled_area(&path.points.iter().map(|(x, y)| (x.raw(), y.raw())).collect::<Vec<_>>());
-    paths.retain(|path| !path.closed || area(path) != 0);
+    paths.retain(|path| !path.closed || doubled_area(&raw(&path.points)) != 0);
     paths
 }
 
@@ -231,7 +231,6 @@ fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
         return shape.map_or(Piece::Paths(paths), Piece::Shape);
     }
     if !paths.is_empty() && paths.iter().all(solid) {
-        let raw = |points: &[Spot]| points.iter().map(|(x, y)| (x.raw(), y.raw())).collect::<Vec<_>>();
         let all: Vec<Vec<(i64, i64)>> = paths.iter().map(|path| raw(&path.points)).collect();
         let parts = boxes(&all).unwrap_or(all);
         if let [only] = &union(&parts)[..] {

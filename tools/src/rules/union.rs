@@ -6,8 +6,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-/// Raw.
-type Point = (i64, i64);
+use crate::geometry::{Point, doubled_area};
 
 /// A loop: its corners, and whether it is a hole.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,12 +23,6 @@ type Carrier = (i64, i64, i128);
 /// polygons.
 pub(super) fn union(polygons: &[Vec<Point>]) -> Vec<Loop> {
     loops(&left_over(polygons))
-}
-
-/// Twice the area, above 0 if the points turn right (y down).
-pub(super) fn doubled_area(points: &[Point]) -> i128 {
-    let next = points.iter().skip(1).chain(points.first());
-    points.iter().zip(next).map(|(a, b)| cross(*a, *b)).sum()
 }
 
 fn cross(a: Point, b: Point) -> i128 {

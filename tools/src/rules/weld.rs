@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use crate::geometry::{Edge, Meeting, Point, Side, doubled_area, meet, orient};
 use crate::model::decimal::Decimal;
-use crate::model::object::Spot;
+use crate::model::object::{Spot, raw};
 
 /// The check of a changed polygon compares all pairs of its edges.
 const MOST_CORNERS: usize = 64;
@@ -48,10 +48,6 @@ fn exchange(points: &mut Vec<Spot>, mut new: Vec<Spot>, closed: bool) -> u32 {
     }
     *points = new;
     moved as u32
-}
-
-fn raw(points: &[Spot]) -> Vec<Point> {
-    points.iter().map(|(x, y)| (x.raw(), y.raw())).collect()
 }
 
 /// Whether changed corners can replace the drawn ones.
