@@ -122,9 +122,7 @@ impl<S: Law> Mover<S> {
         let passes = run.pass_one_way || self.passes_one_way();
         let first = hit.is_some() && core::mem::take(&mut run.is_first);
         let mut of_hit = None;
-        let mut list = [Way::NONE; Ways::MAX];
-        let mut near = [Ways::NOTHING; Ways::NEAR];
-        let mut ways = Ways::none(&mut list, &mut near);
+        let mut ways = Ways::none();
         if let Some((entry, _)) = hit {
             run.came |= way(made) > NEAR;
             // The hit is passed on too: if the body had to stay back from it, it is not near.
@@ -211,7 +209,7 @@ impl<S: Law> Mover<S> {
 
     /// Records what else holds a body that stops: the hit of the longest way that led nowhere.
     #[inline(never)]
-    fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways<'_>) {
+    fn report_binding<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways) {
         run.moved.work.iterations += 1;
         for probe in run.shut.iter() {
             let mut first = First::none();
@@ -311,7 +309,7 @@ impl<B: Body> Run<'_, B> {
 
     /// Moves along a touched surface if all ways are bound, but not in the very last position.
     /// Returns whether there was a way left to try.
-    fn creep_along<W: World>(&mut self, ways: &Ways<'_>) -> bool {
+    fn creep_along<W: World>(&mut self, ways: &Ways) -> bool {
         for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
             let d = self.along_plane::<W>(on.v, on.along);
             if !self.shut.holds(on.probe()) && !d.is_zero() && check_inside(&self.moved.body.bounds(), d).is_ok() {
@@ -326,7 +324,7 @@ impl<B: Body> Run<'_, B> {
     /// binds those, any free way: the body may be beside the surface that it hit, at its end or by
     /// the rounding of its position. A body without area is beside nothing: it may stand where two
     /// surfaces touch and leave no face.
-    fn choose<'w, W: World>(&self, world: &W, ways: &'w mut Ways<'_>, hit: Axis, passes: bool) -> Option<&'w Way> {
+    fn choose<'w, W: World>(&self, world: &W, ways: &'w mut Ways, hit: Axis, passes: bool) -> Option<&'w Way> {
         let body = &self.moved.body;
         let is_shut = |way: &Way| self.shut.holds(way.probe());
         let leads_out = |way: &Way| into(way.v, hit) >= 0;

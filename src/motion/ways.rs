@@ -12,10 +12,12 @@ use super::moved::Hits;
 use super::order::First;
 use super::plane::{FAR, NEAR, across, into, long, project, way};
 use super::response::Smooth;
-use crate::num::{Axis, Raw, Toi, Vec2, cmp_squares, mul_div, umul};
-use crate::world::{Cell, Feature, Geometry, World, normal};
+use crate::num::{Axis, Raw, Toi, cmp_squares, mul_div, umul};
+use crate::world::{Feature, Geometry, World, normal};
 use core::cmp::Ordering;
 use core::ops::Range;
+use core::slice::from_ref;
+use heapless::Vec;
 
 /// A way on.
 #[derive(Clone, Copy, Debug)]
@@ -38,8 +40,6 @@ pub(super) struct Way {
 impl Way {
     const FREE: u8 = u8::MAX;
     const UNKNOWN: u8 = u8::MAX - 1;
-    /// An unused place of a list.
-    pub(super) const NONE: Self = Self::of(None, Raw::ZERO, Raw::ZERO, false);
     const fn of(along: Option<Plane>, v: Raw, probe: Raw, presses: bool) -> Self {
         Self { along, v, probe, presses, room: Self::UNKNOWN }
     }
@@ -144,37 +144,31 @@ fn part(c: i32, entry: &Entry) -> i32 {
     if c < 0 { part.wrapping_neg() } else { part }
 }
 
-/// The ways on from a place, the longest first. The caller has the lists, 520 bytes: made as parts
-/// of another value they would be copied.
-pub(super) struct Ways<'l> {
-    list: &'l mut [Way; Ways::MAX],
-    len: usize,
-    near: Near<'l>,
+/// The ways on from a place, the longest first. An empty list writes none of its 520 bytes.
+pub(super) struct Ways {
+    list: Vec<Way, { Ways::MAX }, u8>,
+    near: Near,
 }
 
 /// The features within [`FAR`] of a body, read once for all ways.
 ///
 /// Nine in ten bodies that choose a way are near three or four; with more, the level is read again.
 /// Room for six takes 80 bytes of stack, for 18 % less in one frame in a thousand.
-struct Near<'l> {
-    features: &'l mut [Feature; Ways::NEAR],
-    len: usize,
+struct Near {
+    features: Vec<Feature, 4, u8>,
     all: bool,
 }
 
-impl Near<'_> {
+impl Near {
     fn push(&mut self, feature: &Feature) {
-        match self.features.get_mut(self.len) {
-            Some(slot) => (*slot, self.len) = (*feature, self.len + 1),
-            None => self.all = false,
-        }
+        self.all &= self.features.extend_from_slice(from_ref(feature)).is_ok();
     }
 
     /// Visits all of them; one-way faces only if they are solid to the body.
     #[inline(never)]
     fn each<W: World, B: Body>(&self, world: &W, body: &B, passes: bool, visit: &mut dyn FnMut(&Feature)) {
         if self.all {
-            self.features.iter().take(self.len).for_each(visit);
+            self.features.iter().for_each(visit);
         } else {
             each_near(world, body, passes, visit);
         }
@@ -194,21 +188,15 @@ fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut d
     }
 }
 
-impl<'l> Ways<'l> {
+impl Ways {
     /// The velocity itself; at most six along x and y, which faces and their ends give on both
     /// sides; three slopes or corners. With eight, 24 bodies in gaps as wide as themselves stopped
     /// dead in ten million random frames. If there are more, the shortest are left out.
-    pub(super) const MAX: usize = 10;
-    pub(super) const NEAR: usize = 4;
-    /// An unused place of the list of features.
-    pub(super) const NOTHING: Feature = {
-        let geometry = Geometry::Vertex { p: Vec2::ZERO, e_in: Axis::X, e_out: Axis::X };
-        Feature { geometry, cell: Cell::of(0, 0), index: 0, flags: 0, one_way: false, source: 0 }
-    };
+    const MAX: usize = 10;
 
     #[inline]
-    pub(super) fn none(list: &'l mut [Way; Ways::MAX], features: &'l mut [Feature; Ways::NEAR]) -> Self {
-        Self { list, len: 0, near: Near { features, len: 0, all: true } }
+    pub(super) const fn none() -> Self {
+        Self { list: Vec::new(), near: Near { features: Vec::new(), all: true } }
     }
 
     /// Reads the ways of a velocity from the body's position, and along the surface that was hit,
@@ -224,7 +212,9 @@ impl<'l> Ways<'l> {
         hit: Option<Plane>,
         passes: bool,
     ) -> bool {
-        (self.len, self.near.len, self.near.all) = (0, 0, true);
+        self.list.clear();
+        self.near.features.clear();
+        self.near.all = true;
         self.add(&mut Way::of(None, v, long(v), false), v);
         let mut alone = true;
         each_near(world, body, passes, &mut |feature| {
@@ -253,9 +243,9 @@ impl<'l> Ways<'l> {
     /// a gap exactly as wide as the body.
     fn consider_gaps<W: World, B: Body>(&mut self, v: Raw, time: Toi) {
         // An added way moves others back by one: some pairs come twice, and none is left out.
-        for k in 0..Ways::MAX {
+        for k in 0..Self::MAX {
             let Some(a) = self.corner(k) else { continue };
-            for j in k + 1..Ways::MAX {
+            for j in k + 1..Self::MAX {
                 let Some(b) = self.corner(j).filter(|b| a.dot(*b) < 0) else { continue };
                 let normal = Axis::new(a.x.wrapping_sub(b.x), a.y.wrapping_sub(b.y));
                 self.consider::<W, B>(Plane { normal, bend: Bend::End }, v, time);
@@ -301,14 +291,13 @@ impl<'l> Ways<'l> {
     }
 
     fn add(&mut self, way: &mut Way, of: Raw) {
-        for other in self.list.iter_mut().take(self.len) {
+        for other in &mut self.list {
             if way.goes_before(other, of) {
                 (*other, *way) = (*way, *other);
             }
         }
-        if let Some(slot) = self.list.get_mut(self.len) {
-            (*slot, self.len) = (*way, self.len + 1);
-        }
+        // If the list is full, the shortest stays out.
+        let _ = self.list.extend_from_slice(from_ref(way));
     }
 
     /// Frees all ways: nothing else is near, so nothing binds them.
@@ -318,7 +307,7 @@ impl<'l> Ways<'l> {
 
     /// Finds out how far each way leads.
     pub(super) fn settle_all<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool) {
-        self.settle::<W, B>(world, body, passes, 0..self.len);
+        self.settle::<W, B>(world, body, passes, 0..self.list.len());
     }
 
     /// Finds out how far some of the ways lead, unless that is already known.
@@ -353,7 +342,7 @@ impl<'l> Ways<'l> {
         if !self.near.all {
             self.settle_all(world, body, passes);
         }
-        (0..self.len).find(|&k| {
+        (0..self.list.len()).find(|&k| {
             if !self.way(k).is_some_and(asked) {
                 return false;
             }
@@ -363,7 +352,7 @@ impl<'l> Ways<'l> {
     }
 
     pub(super) fn way(&self, k: usize) -> Option<&Way> {
-        self.list.get(k).filter(|_| k < self.len)
+        self.list.get(k)
     }
 
     /// The other surface that binds a way: the first touched one that its probe meets and that the
@@ -385,7 +374,7 @@ impl<'l> Ways<'l> {
 
     /// They fill the first slots.
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
-        self.list.iter().take(self.len)
+        self.list.iter()
     }
 
     /// Whether the body still touches a plane that it has run along, if that is a face.

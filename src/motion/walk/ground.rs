@@ -6,7 +6,7 @@ use crate::motion::order::First;
 use crate::motion::plane::{NEAR, SurfaceRole, into, may_be_askew};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
-use crate::motion::ways::{Way, Ways};
+use crate::motion::ways::Ways;
 use crate::motion::{Hit, Moved, Mover};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
@@ -177,9 +177,7 @@ impl<B: Body> Look for Run<'_, B> {
         }
         let down = along(up, -DROP);
         let passes = self.pass_one_way;
-        let mut list = [Way::NONE; Ways::MAX];
-        let mut near = [Ways::NOTHING; Ways::NEAR];
-        let mut ways = Ways::none(&mut list, &mut near);
+        let mut ways = Ways::none();
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
         ways.settle_all(world, &self.moved.body, passes);
         // A way that ends before it leads down by a raw unit leads nowhere: between a corner and a

@@ -217,9 +217,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     #[inline(never)]
     fn way_on(&self) -> On {
         let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
-        let mut list = [Way::NONE; Ways::MAX];
-        let mut near = [Ways::NOTHING; Ways::NEAR];
-        let mut ways = Ways::none(&mut list, &mut near);
+        let mut ways = Ways::none();
         ways.read::<W, B>(self.world, body, (self.forward(self.speed), self.run.rest), None, passes);
         let is_floor = |way: &Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);
         if let Some(way) = ways.first_free(self.world, body, passes, &is_floor).and_then(|k| ways.way(k)) {
