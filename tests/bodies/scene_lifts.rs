@@ -5,9 +5,10 @@ use tilesat::broad::SortSweep;
 use tilesat::motion::Ride;
 use tilesat::scene::{SceneBody, SceneTag};
 use tilesat::{Aabb, Circle, Fx, Joined, Scene, Solid, Solids, TileKinds, TileMap, Vec2, fx};
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::solids::{P, raw};
 
-type Crates = Scene<SortSweep<8, SceneTag>, 8>;
+type Crates = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 const GRAVITY: Vec2 = Vec2::new(fx!(0), fx!(0.25));
 

@@ -10,10 +10,10 @@ use tilesat_judge::rooms::body::{Body, point, vec2};
 use tilesat_judge::rooms::room::Room;
 use tilesat_judge::rooms::view::View;
 use tilesat_judge::rooms::{P, PX, mosaic};
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::shapes::level::Level;
 use tilesat_judge::{Random, cases};
 
-const BODIES: usize = 32;
 const GRAVITY: P = (0, 6554);
 
 fn shape(body: Body) -> Shape {

@@ -11,6 +11,7 @@ use tilesat::{
     Aabb, AllShapes, Capsule, ConvexPolygon, Fx, Joined, Ratio, Scene, Solid, Solids, Surface, TileMap, Vec2,
 };
 use tilesat_judge::convex::shape::MOST;
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::solids::convex::polygons;
 use tilesat_judge::solids::shapes::{Any, Figure, Rider, Solid as Convex, plank, shape, show, steer};
 use tilesat_judge::solids::ticks::{CELL, FOLLOW, MOVER, balls, boxes, capsules, grid, tiles};
@@ -18,7 +19,7 @@ use tilesat_judge::solids::twins::KINDS;
 use tilesat_judge::solids::{P, disc, raw, rect, vec2};
 use tilesat_judge::{Random, cases, frames};
 
-const BODIES: usize = 12;
+const FILLED: u32 = 12;
 type Sorted<S> = Scene<SortSweep<BODIES, SceneTag>, BODIES, 0, S>;
 type Hashed<S> = Scene<SpatialHash<64, BODIES, SceneTag>, BODIES, 0, S>;
 
@@ -69,7 +70,7 @@ fn play(kinds: i64, seed: u64, seen: &mut Seen) {
         let mut one = Sorted::<Any>::new(SortSweep::new());
         let mut two = Hashed::<Any>::new(SpatialHash::new(Fx::from_bits(8 * CELL as i32)).unwrap());
         let mut bodies = Vec::new();
-        for key in 0..BODIES as u32 {
+        for key in 0..FILLED {
             let body = any(&mut r);
             if !Joined::new(&level, &ConvexSolids::new(&list)).overlaps(&body) {
                 bodies.push(SceneBody::<Any>::of(body, key));
@@ -174,7 +175,7 @@ fn plain_solids_are_convex_ones() {
         let mut plain: Vec<_> = at.iter().zip(1..).map(|(b, key)| Solid::new(*b, key).unwrap()).collect();
         let mut convex: Vec<_> = at.iter().zip(1..).map(|(b, key)| ConvexSolid::new(*b, key).unwrap()).collect();
         let (mut one, mut two) = (Sorted::<Shape>::new(SortSweep::new()), Sorted::<Shape>::new(SortSweep::new()));
-        for key in 0..BODIES as u32 {
+        for key in 0..FILLED {
             let body = SceneBody::new(boxes(&mut r), key);
             if !Joined::new(&level, &Solids::new(&plain)).overlaps(&body.shape.aabb()) {
                 let _ = (one.insert(&body).unwrap(), two.insert(&body).unwrap());

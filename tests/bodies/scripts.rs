@@ -9,9 +9,9 @@ use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, SortSweep, SpatialHash};
 use tilesat::scene::{BodyShape, SceneBody, SceneEvent, SceneTag, Shape, WithCapsules};
 use tilesat::{Capsule, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::{Random, cases};
 
-const BODIES: usize = 32;
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 const CELL: i64 = 16 * PX;
 /// Two corridors for bullets and for a crusher, a pit, and a shaft for a lift.

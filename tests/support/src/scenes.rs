@@ -9,7 +9,7 @@ pub static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// Cells of 16: the floor is at y = 64.
 pub const ROOM: &str = "#..........#\n#..........#\n#..........#\n#..........#\n############\n";
 
-pub const BODIES: usize = 24;
+pub const BODIES: usize = 32;
 
 pub fn room() -> TileMap<'static> {
     TileMap::from_ascii(ROOM, &KINDS).unwrap()
