@@ -353,7 +353,6 @@ mod met;
 mod pairs;
 mod piles;
 mod reply;
-mod rest;
 mod ride;
 mod set;
 mod shape;
