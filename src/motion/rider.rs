@@ -124,7 +124,7 @@ impl<B: Body> Character<B> {
     /// let body = Aabb::new(Vec2::from_ints(60, 8), Vec2::from_ints(68, 22))?;
     /// let mut hero = Character::new(body, level.bounds(), Feel::DEFAULT);
     /// for rise in 1..=10 {
-    ///     seesaw[0] = seesaw[0].with_turn(plank(-2 * rise)?)?; // its right end goes up
+    ///     seesaw[0].set_turn(plank(-2 * rise)?)?; // its right end goes up
     ///     let _ = hero.step_on(&level, &mut seesaw, Input::default())?;
     /// }
     /// assert_eq!(hero.ridden(), Some(7));

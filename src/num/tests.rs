@@ -144,7 +144,7 @@ mod roots {
 
 mod domain {
     use crate::error::{Quantity, RangeError};
-    use crate::num::vec2::{DOMAIN, MOTION, check_length, check_motion};
+    use crate::num::{DOMAIN, MOTION, check_length, check_motion};
     use crate::num::{Fx, Vec2};
 
     #[test]

@@ -9,10 +9,9 @@
 
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
-use super::memory::{Place, rest, rest_mut};
+use super::memory::{Idle, Place, Rest, rest, rest_mut};
 use super::met::{around, reach};
 use super::pairs::root;
-use super::rest::{Idle, Rest};
 use super::way::size;
 use super::{Scene, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};

@@ -3,8 +3,7 @@
 use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
-use super::memory::{Place, keep, known, note, rest_mut};
-use super::rest::{Causes, Made, Rest, Start};
+use super::memory::{Causes, Made, Place, Rest, Start, keep, known, note, rest_mut};
 use super::view::{Sliding, View};
 use super::way::{BodyWay, Drift, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};

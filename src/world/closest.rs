@@ -4,7 +4,8 @@ use super::joined::Joined;
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, precedes, raw};
 use super::measure::Measure;
 use super::segment_map::SegmentMap;
-use super::solids::convex::{ConvexSolids, SolidShape};
+use super::solids::convex::ConvexSolids;
+use super::solids::convex_solid::SolidShape;
 use super::tile_map::{Set, Store, TileMap};
 use crate::error::RangeError;
 use crate::num::{

@@ -38,6 +38,22 @@ fn products_of_directions_are_exact() {
     }
 }
 
+/// Width, precision, sign and fill are those of each component.
+#[test]
+fn vectors_print_as_their_components() {
+    let v = Vec2::new(fx!(1.5), fx!(-2));
+    assert_eq!(v.to_string(), "(1.5, -2)");
+    for (x, y) in pairs() {
+        let v = Vec2::from_raw(x, y);
+        let (x, y) = (v.x, v.y);
+        assert_eq!(format!("{v}"), format!("({x}, {y})"));
+        assert_eq!(format!("{v:.2}"), format!("({x:.2}, {y:.2})"));
+        assert_eq!(format!("{v:14.3}"), format!("({x:14.3}, {y:14.3})"));
+        assert_eq!(format!("{v:+}"), format!("({x:+}, {y:+})"));
+        assert_eq!(format!("{v:*<12}"), format!("({x:*<12}, {y:*<12})"));
+    }
+}
+
 #[test]
 fn sums_of_vectors_saturate() {
     let all = pairs();

@@ -2,10 +2,14 @@
 //! and none is in a solid unless the call reports it as squashed. No solid passes a body, and
 //! carried bodies move exactly. Shuffled and mirrored scenes give the same bits.
 
+use std::collections::BTreeSet;
 use tilesat::motion::{Ridden, Ride};
 use tilesat::prelude::*;
+use tilesat::shape::AnyShape;
 use tilesat::world::ConvexSolid;
-use tilesat::{Aabb, AllShapes, Capsule, Fx, Solid, TileMap};
+use tilesat::{
+    Aabb, AllShapes, Axis, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, Quantity, RangeError, Solid, TileMap, Vec2,
+};
 use tilesat_judge::solids::convex::polygons;
 use tilesat_judge::solids::shapes::{Figure, Rider, Scene, Seen, plank};
 use tilesat_judge::solids::ticks::{
@@ -195,4 +199,100 @@ fn no_arm_passes_a_body() {
         1000,
     );
     turn(polygons, 288, 400);
+}
+
+/// What a shape with these corners and this radius is as a solid: the fault, or none.
+fn fault(corners: &[(i32, i32)], radius: i32, may_be_round: bool) -> Option<RangeError> {
+    let extent = |of: fn(&(i32, i32)) -> i32| {
+        let all = || corners.iter().map(of);
+        all().max().unwrap() - all().min().unwrap() + 2 * radius
+    };
+    let (w, h) = (extent(|p| p.0), extent(|p| p.1));
+    let sides = || (0..corners.len()).map(|i| (corners[i], corners[(i + 1) % corners.len()]));
+    // Twice the area between the corners.
+    let area: i64 = sides().map(|(p, q)| i64::from(p.0) * i64::from(q.1) - i64::from(p.1) * i64::from(q.0)).sum();
+    let slanted = sides().any(|(p, q)| p.0 != q.0 && p.1 != q.1);
+    let error = |what, value| Some(RangeError { what, value });
+    if radius == 0 && area == 0 {
+        error(Quantity::Area, w.min(h))
+    } else if w.max(h) >= 1 << 29 {
+        error(Quantity::BodySize, w.max(h))
+    } else if radius != 0 && (slanted || !may_be_round) {
+        error(Quantity::Rounding, radius)
+    } else {
+        None
+    }
+}
+
+/// A shape is a solid at rest, or has that fault: in constants, in calls, and as any shape.
+macro_rules! judged {
+    ($shape:expr, $any:expr, $corners:expr, $radius:expr, $round:expr, $seen:ident) => {{
+        let (shape, corners): (_, Vec<(i32, i32)>) = ($shape, $corners);
+        let (own, as_any) = (fault(&corners, $radius, $round), fault(&corners, $radius, true));
+        let made = shape.convex_solid(7);
+        assert_eq!((made.err(), $any(shape).convex_solid(7).err()), (own, as_any), "{shape:?}");
+        assert_eq!(made, ConvexSolid::new(shape, 7));
+        if let Ok(solid) = made {
+            assert_eq!((solid.shape(), solid.next(), solid.motion()), (shape, shape, Some(Vec2::ZERO)));
+            assert_eq!((solid.key(), solid.flags()), (7, 0));
+        }
+        $seen.insert(own.map(|error| format!("{:?}", error.what)));
+    }};
+}
+
+#[test]
+fn solids_of_constants_are_those_of_calls() {
+    type Any = AnyShape<4>;
+    let mut seen = BTreeSet::new();
+    let sizes = [0, 1, 5, 1 << 20, 1 << 28];
+    for (w, h, r) in sizes.iter().flat_map(|w| sizes.iter().flat_map(move |h| [0, 3].map(|r| (*w, *h, r)))) {
+        let (at, size, radius) = (Vec2::from_raw(-7, 9), Vec2::from_raw(w, h), Fx::from_bits(r));
+        let raw = |p: &[Vec2]| p.iter().map(|p| p.raw()).collect::<Vec<_>>();
+        if let Ok(shape) = Aabb::from_size(at, size) {
+            judged!(shape, Any::Aabb, vec![(-7, 9), (-7 + w, 9), (-7 + w, 9 + h), (-7, 9 + h)], 0, false, seen);
+        }
+        if let Ok(shape) = Circle::new(at, radius) {
+            judged!(shape, Any::Circle, raw(&[at]), r, true, seen);
+        }
+        if let Ok(shape) = Capsule::new(at, at + size, radius) {
+            judged!(shape, Any::Capsule, raw(&[at, at + size]), r, true, seen);
+        }
+        for direction in [Axis::X, Axis::NEG_Y, Axis::new(3, 4)] {
+            let shape = OrientedBox::new(at, size, direction).and_then(|it| it.with_radius(radius));
+            if let Ok(shape) = shape {
+                judged!(shape, Any::OrientedBox, raw(&shape.corners()), r, false, seen);
+            }
+        }
+        for corners in [vec![(0, 0), (w, 0), (w, h)], vec![(0, 0), (w, 0), (w, h), (0, h)]] {
+            let corners = corners.iter().map(|&(x, y)| at + Vec2::from_raw(x, y)).collect::<Vec<_>>();
+            let Ok(shape) = ConvexPolygon::<4>::new(&corners) else { continue };
+            let Ok(shape) = shape.with_radius(radius) else { continue };
+            judged!(shape, Any::Polygon, raw(shape.vertices()), r, false, seen);
+        }
+    }
+    assert_eq!(seen.len(), 4, "{seen:?}");
+}
+
+/// A change in place is the change of a value, and a refused one is none.
+#[test]
+fn solids_change_in_place() {
+    let plank = |x, rise| OrientedBox::new(vec2((x, 0)), vec2((2000, 200)), Axis::new(90, rise)).unwrap();
+    let flat = ConvexSolid::new(plank(0, 0), 3).unwrap();
+    let mut random = Random::new(77);
+    let mut refused = 0;
+    for _ in 0..cases(400) {
+        let mut solid = flat.with_motion(vec2((5, 7))).unwrap();
+        let before = solid;
+        let (result, value) = if random.one_in(2) {
+            let motion = Vec2::from_raw(random.around(1 << 29) as i32, random.around(1 << 10) as i32);
+            (solid.set_motion(motion), before.with_motion(motion))
+        } else {
+            let next = plank(random.around(99), random.around(20) as i32);
+            let next = next.with_radius(Fx::from_bits(i32::from(random.one_in(3)))).unwrap();
+            (solid.set_turn(next), before.with_turn(next))
+        };
+        refused += i32::from(result.is_err());
+        assert_eq!((result.err(), solid), (value.err(), value.unwrap_or(before)));
+    }
+    assert!(refused > 9);
 }

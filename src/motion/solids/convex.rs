@@ -13,10 +13,11 @@ use super::{Carrier, Ridden, Ride};
 use crate::error::{Quantity, RangeError};
 use crate::motion::body::Body;
 use crate::motion::contact::{Bend, touched_any};
+use crate::motion::order::First;
 use crate::motion::plane::{NEAR, SurfaceRole, way};
 use crate::motion::response::Law;
 use crate::motion::run::{Run, check_inside};
-use crate::motion::search::{Around, check_cells};
+use crate::motion::search::{Around, Search, check_cells, hull};
 use crate::motion::{MoveError, Moved, Mover, Stuck, Work};
 use crate::num::{Axis, Fx, MOTION, Raw, Vec2, leading_zeros32, less128, sqr64};
 use crate::query::cast::moment::{along, is_below, reach};
@@ -400,11 +401,18 @@ impl<S: SolidShape, B: Body> Tick<'_, S, B> {
         if d.is_zero() {
             return None;
         }
-        let mut moved = Moved::freely(*self.body, d.vec2(), 0);
-        let mut around = Around::nothing();
-        let mut run = Run::new(&mut moved, &mut around);
-        let (entry, feature) = run.first_hit(&ConvexSolids::new(slice::from_ref(self.solid)), d)?;
-        Some((feature, HalfPlane { normal: entry.normal, at: entry.displacement(d) }))
+        // Of one solid all pieces are swept against at once: the search that levels need, in pieces
+        // of the motion, is not linked for another level.
+        let solids = ConvexSolids::new(slice::from_ref(self.solid));
+        let mut pieces = solids.features(&hull(&self.body.bounds(), Raw::ZERO, d, 1));
+        let (mut around, mut first) = (Around::nothing(), First::none());
+        let mut search = Search::new(self.body, &mut around);
+        search.meet_all(&solids, &mut pieces, d, &mut first);
+        if S::ROUND && search.may_meet_cusp(d) {
+            search.meet_cusp(&solids, d, &mut first);
+        }
+        let (entry, feature) = first.hit::<B, ConvexSolids<'_, S>>(self.body, d)?;
+        Some((*feature, HalfPlane { normal: entry.normal, at: entry.displacement(d) }))
     }
 
     /// Of a body in the solid: the way from the middle of its bounds to that of the body's.

@@ -4,7 +4,8 @@
 //! earliest one after the last hit. Moments are compared exactly, within arcs too.
 
 use super::Solids;
-use super::convex::{ConvexSolid, ConvexSolids, SolidShape};
+use super::convex::ConvexSolids;
+use super::convex_solid::{ConvexSolid, SolidShape};
 use super::ray::start_inside;
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64, sqr64, sub128, usqr};

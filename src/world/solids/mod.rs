@@ -17,6 +17,7 @@
 
 pub(super) mod convex;
 pub(super) mod convex_ray;
+pub(super) mod convex_solid;
 pub(super) mod features;
 pub(super) mod ray;
 pub(super) mod solid;

@@ -1,6 +1,6 @@
 //! Solids: shapes with an inside, and motions that they may make.
 
-use super::convex::{ConvexSolid, SolidShape};
+use super::convex_solid::{ConvexSolid, SolidShape};
 use super::solid::{Side, Solid};
 use crate::error::RangeError;
 use crate::num::Vec2;

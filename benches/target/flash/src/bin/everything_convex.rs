@@ -98,6 +98,9 @@ fn solid_part() {
     keep! {
         |shape: Any, key: u16, flags: u8, by: Vec2| ConvexSolid::new(shape, key).map(|s| s.with_flags(flags).with_motion(by));
         |solid: ConvexSolid<Quad>, next: Quad| solid.with_turn(next);
+        |solid: &mut ConvexSolid<Any>, by: Vec2, next: Any| (solid.set_motion(by), solid.set_turn(next));
+        |shape: Any, key: u16| shape.convex_solid(key);
+        |shape: Quad, key: u16| shape.convex_solid(key);
         |list: &mut [ConvexSolid<Quad>]| ConvexSolid::move_all(list);
         |l: &ConvexSolids<'static, Any>, b: &Quad| (l.overlaps(b), l.touches(b));
         |l: &ConvexSolids<'static, Any>, b: &Circle, d: Vec2| Mover::new().move_and_slide(l, b, d);
