@@ -1,8 +1,14 @@
-//! Scenes: a sleeping body touches everything that may wake it, and its pairs last.
+//! Scenes: bodies rest in nooks. A sleeping body touches everything that may wake it, and its pairs
+//! last.
 
 use tilesat::broad::{PairEvent, PairEvents, SortSweep};
-use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
-use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Sleep};
+use tilesat::shape::AnyShape;
+use tilesat::{
+    Aabb, Axis, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, Ratio, Scene, Surface, TileKind, TileKinds, TileMap,
+    Vec2,
+};
+use tilesat_judge::rooms::drawn;
 use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
@@ -153,4 +159,52 @@ fn what_sleeps_on_a_body_wakes_with_it() {
         }
     }
     assert!(slept > 5_000, "{slept}");
+}
+
+/// A body that does not bounce rests in a V, also if its sides do not meet at a right angle. No
+/// later step changes it, and it falls asleep.
+#[test]
+fn bodies_without_bounce_rest_in_a_nook() {
+    type Any = AnyShape<5>;
+    let shapes = [('\\', 9), ('l', 20), ('h', 24), ('s', 29), ('S', 33)];
+    let uneven = drawn(&["......", "......", "......", r"\...lh", r"#\lh##", "######"], 16 << 16, &shapes);
+    let steep = drawn(&["......", "......", "......", ".S..s.", ".#Ss#.", ".####.", "######"], 16 << 16, &shapes);
+    let gravity = Vec2::from_raw(0, 6_554);
+    let mut rests = 0;
+    for level in [uneven.all(), steep.all()] {
+        for percent in [0, 20] {
+            for x in (28..68).step_by(3) {
+                let at = |dx: i16, dy: i16| Vec2::from_ints(x + dx, 14 + dy);
+                let corners = [(-5, 0), (-2, -4), (3, -3), (5, 1), (0, 4)].map(|(dx, dy)| at(dx, dy));
+                let bodies: [Any; 5] = [
+                    Circle::new(at(0, 0), Fx::from_num(5)).unwrap().into(),
+                    bx(x - 4, 10, 9, 8).into(),
+                    Capsule::new(at(-3, 0), at(2, 0), Fx::from_num(4)).unwrap().into(),
+                    OrientedBox::new(at(0, 0), Vec2::from_ints(5, 3), Axis::new(4, 3)).unwrap().into(),
+                    ConvexPolygon::hull(&corners).unwrap().into(),
+                ];
+                for shape in bodies {
+                    let surface = Surface::new(Ratio::ZERO, Ratio::percent(percent).unwrap());
+                    let mut scene =
+                        Scene::<SortSweep<1, SceneTag>, 1, 0, Any>::with_sleep(SortSweep::new(), Sleep::NEVER);
+                    let body = scene.insert(&SceneBody { surface, ..SceneBody::of(shape, 1) }).unwrap();
+                    for _ in 0..3_000 {
+                        scene.step(&level, gravity, |_| {}).unwrap();
+                    }
+                    let rest = *scene.body(body).unwrap();
+                    for _ in 0..50 {
+                        scene.step(&level, gravity, |_| {}).unwrap();
+                        assert_eq!(*scene.body(body).unwrap(), rest, "from {shape:?}, {surface:?}");
+                    }
+                    scene.sleep = Sleep::default();
+                    for _ in 0..60 {
+                        scene.step(&level, gravity, |_| {}).unwrap();
+                    }
+                    assert!(scene.awake().is_empty(), "{rest:?} from {shape:?}");
+                    rests += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(rests, 280);
 }

@@ -8,7 +8,7 @@ use std::time::Instant;
 use tilesat::query::Separation;
 use tilesat_judge::convex::ask::overlaps_from;
 use tilesat_judge::convex::generate::{CLASSES, Class, Pairs};
-use tilesat_judge::convex::shape::{Kind, Shape, pairs};
+use tilesat_judge::convex::shape::{KINDS, Kind, Shape, pairs};
 use tilesat_judge::convex::verify::{Pair, about_point};
 
 fn run(pair: (Kind, Kind), class: Class) -> [u64; 3] {
@@ -76,6 +76,20 @@ fn whole_domain() {
 #[test]
 fn slivers() {
     sweep(Class::Thin);
+}
+
+/// Boxes, circles and segments among themselves, with their manifolds.
+#[test]
+fn plain_pairs() {
+    for (i, j) in (0..3).flat_map(|i| (0..=i).map(move |j| (KINDS[i], KINDS[j]))) {
+        for class in CLASSES {
+            let mut stream = Pairs::new((i, j), class, 0x3c1);
+            for _ in 0..tilesat_judge::cases(500) {
+                let (a, b) = stream.next();
+                Pair::new(&a, &b).all();
+            }
+        }
+    }
 }
 
 /// Points on, near and far from shapes, up to the ends of the numbers.

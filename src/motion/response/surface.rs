@@ -17,8 +17,8 @@ use crate::num::{
 ///   _____\_|/______
 /// ```
 ///
-/// - **Restitution** acts in [`Response::Bounce`](crate::motion::Response::Bounce): 0 stops at the
-///   surface, 1 loses nothing.
+/// - **Restitution** acts in [`Response::Bounce`](crate::motion::Response::Bounce): 0 is a slide,
+///   1 loses nothing.
 /// - **Friction** (Coulomb's) acts in `Bounce`, `Slide` and `DropThrough`. A body rests on a slope
 ///   with a tangent of at most the friction, exactly and for ever, and slides down a steeper one.
 /// - **Rest**: a bounce slower than [`resting_below`](Self::resting_below) is a slide. Without it
@@ -128,8 +128,15 @@ impl Surface {
         Rule { restitution: self.restitution, friction: self.friction, reference }
     }
 
-    /// Whether `v` is too slow along the normal to bounce: |v.n| <= rest |n|, exactly.
+    /// Whether a hit is a slide: nothing comes back, or `v` is too slow along the normal to bounce:
+    /// |v.n| <= rest |n|, exactly.
+    ///
+    /// A slide sees all surfaces that the body touches. By one reply per hit, a body in a V goes up
+    /// one side and down the other for ever.
     pub(in crate::motion) fn stops(&self, v: Raw, n: Axis) -> bool {
+        if self.restitution == Ratio::ZERO {
+            return true;
+        }
         let along = n.dot(Axis::new(v.x, v.y)).unsigned_abs();
         self.rest != 0 && !less128(mul64(usqr(self.rest), n.length_squared()), sqr64(along))
     }

@@ -36,10 +36,11 @@ pub struct ManifoldPoint {
 
 /// How two shapes rest on each other: the shortest way out, and one or two points that share it.
 ///
-/// The axis is that of [`contact`](crate::query::Contacts::contact). The first point is the deepest
-/// one, and is exact. There is a second one if a side of one shape leans on a side of the other:
-/// the other end of the part where they face each other. It is within a raw unit of the exact
-/// point, and has its own depth, rounded up.
+/// The axis is that of [`contact`](crate::query::Contacts::contact). Between boxes, circles and
+/// segments it may have another length, and be another shortest way out if there are several. The
+/// first point is the deepest one, and is exact. There is a second one if a side of one shape leans
+/// on a side of the other: the other end of the part where they face each other. It is within a raw
+/// unit of the exact point, and has its own depth, rounded up.
 ///
 /// ```text
 ///      +-------+

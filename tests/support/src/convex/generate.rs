@@ -82,7 +82,7 @@ fn touching(r: &mut Random, i: Kind, j: Kind) -> (Shape, Shape) {
 }
 
 /// Moves A so that the origin comes to the border of the sum.
-fn touch(r: &mut Random, a: Shape, b: Shape) -> (Shape, Shape) {
+pub fn touch(r: &mut Random, a: Shape, b: Shape) -> (Shape, Shape) {
     let sum = sum(&a, &b);
     let border = sum.points();
     let at = r.below(border.len() as i64) as usize;
@@ -100,7 +100,7 @@ fn touch(r: &mut Random, a: Shape, b: Shape) -> (Shape, Shape) {
 }
 
 /// A shape whose numbers are multiples of `unit`, in the square of half side `size`.
-fn shape(r: &mut Random, kind: Kind, size: i64, unit: i64) -> Shape {
+pub fn shape(r: &mut Random, kind: Kind, size: i64, unit: i64) -> Shape {
     let point = |r: &mut Random| (r.around(size) * unit, r.around(size) * unit);
     let round = |r: &mut Random| match r.below(3) {
         0 => 0,
@@ -138,7 +138,7 @@ fn shape_of_triangle(unit: i64) -> Shape {
 }
 
 /// The hull of some points, from any corner, in either direction. `None` if they are on one line.
-fn wound(r: &mut Random, points: &[Point]) -> Option<Vec<Point>> {
+pub fn wound(r: &mut Random, points: &[Point]) -> Option<Vec<Point>> {
     let mut points = hull(points);
     if points.len() < 3 {
         return None;

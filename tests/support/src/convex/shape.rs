@@ -72,6 +72,11 @@ impl Shape {
         Self::Polygon { points: all, count: points.len(), radius }
     }
 
+    /// A box, a circle or a segment: among themselves they have kernels of their kind.
+    pub const fn is_plain(&self) -> bool {
+        matches!(self, Self::Aabb { .. } | Self::Circle { .. } | Self::Segment { .. })
+    }
+
     /// The points whose hull, grown by [`radius`](Self::radius), is the shape.
     pub fn vertices(&self) -> Vec<Point> {
         match *self {

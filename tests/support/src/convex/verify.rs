@@ -89,7 +89,15 @@ impl<'a> Pair<'a> {
             return;
         };
         let case = format!("{a:?} {b:?}: {found:?}");
-        assert_eq!(found.axis(), contact.axis(), "{case}");
+        if !a.is_plain() || !b.is_plain() {
+            assert_eq!(found.axis(), contact.axis(), "{case}");
+        } else if contact.is_degenerate() {
+            // Of several shortest exits, contacts of plain shapes take one and polygons another.
+            self.exit(&found.deepest().contact);
+        } else {
+            let (u, v) = (found.axis(), contact.axis());
+            assert!(u.perp_dot(v) == 0 && u.dot(v) > 0, "{case}");
+        }
         assert_eq!(found.deepest().contact.depth(), contact.depth(), "{case}");
         let points: Vec<_> = found.points().collect();
         assert!(
@@ -99,7 +107,7 @@ impl<'a> Pair<'a> {
         for p in &points {
             let c = &p.contact;
             assert!(
-                c.axis() == contact.axis() && c.depth() > 0 && c.depth() <= contact.depth() + tilesat::Fx::from_bits(1),
+                c.axis() == found.axis() && c.depth() > 0 && c.depth() <= contact.depth() + tilesat::Fx::from_bits(1),
                 "{case}"
             );
             let u = (i64::from(c.axis().x), i64::from(c.axis().y));
