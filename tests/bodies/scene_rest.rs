@@ -196,7 +196,7 @@ fn bodies_without_bounce_rest_in_a_nook() {
                         scene.step(&level, gravity, |_| {}).unwrap();
                         assert_eq!(*scene.body(body).unwrap(), rest, "from {shape:?}, {surface:?}");
                     }
-                    scene.sleep = Sleep::default();
+                    scene.set_sleep(Sleep::default());
                     for _ in 0..60 {
                         scene.step(&level, gravity, |_| {}).unwrap();
                     }
