@@ -428,13 +428,13 @@ impl Format for Sleep {
 
 impl<B: Format, const N: usize, const M: usize, S> Format for Scene<B, N, M, S> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "Scene {} awake {=usize} {}", self.near, self.count, self.sleep);
+        write!(f, "Scene {} awake {=usize} {}", self.near, self.count, self.sleep.sleep());
     }
 }
 
 impl<B: Format, const N: usize, S> Format for Snapshot<B, N, S> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "Snapshot {} awake {=u16} {}", self.near, self.count, self.sleep);
+        write!(f, "Snapshot {} awake {=u16} {}", self.near, self.count, self.sleep.sleep());
     }
 }
 

@@ -10,9 +10,9 @@ use core::slice::Iter;
 
 /// The common part of both: they take any box, and a query tests each.
 macro_rules! any_box {
-    () => {
+    ($place:ty) => {
         type Tag = T;
-        type Place = ();
+        type Place = $place;
 
         fn table(&self) -> Bodies<'_, T> {
             self.table.bodies()
@@ -22,11 +22,7 @@ macro_rules! any_box {
             self.table.slots()
         }
 
-        fn admit(&self, _: &Aabb) -> Result<(), BroadError> {
-            Ok(())
-        }
-
-        fn relink(&mut self, _: usize, (): ()) {}
+        fn relink(&mut self, _: usize, _: $place) {}
 
         fn move_all(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
             self.table.slots().set_each(to);
@@ -107,7 +103,7 @@ pub struct BruteForce<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> BruteForce<N, T> {
-    /// An empty broad phase, which may be a `static`.
+    /// An empty broad phase, which may be a `static`: all its bits are zero, so it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: Table::new() }
@@ -121,7 +117,11 @@ impl<const N: usize, T: Tag> Default for BruteForce<N, T> {
 }
 
 impl<const N: usize, T: Tag> Spatial for BruteForce<N, T> {
-    any_box!();
+    any_box!(());
+
+    fn admit(&self, _: &Aabb) -> Result<(), BroadError> {
+        Ok(())
+    }
 
     fn visit(&self, region: &Aabb, each: impl FnMut(usize)) {
         self.table.bodies().touching(region, each);
@@ -244,7 +244,8 @@ impl PairScan for EachScan<'_> {
 #[doc(alias("sweep and prune", "SAP"))]
 pub struct SortSweep<const N: usize, T = ()> {
     pub(super) table: Table<T, N>,
-    /// Every slot once; those that were in use when it was last sorted are the first.
+    /// Every slot that was ever taken, once; those that were in use when it was last sorted are the
+    /// first.
     pub(super) order: [u16; N],
     /// How many are sorted.
     pub(super) sorted: u16,
@@ -255,20 +256,16 @@ pub struct SortSweep<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {
-    /// An empty broad phase, which may be a `static`.
+    /// An empty broad phase, which may be a `static`: all its bits are zero, so it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        let mut order = [0; N];
-        let mut slot = 0;
-        let mut rest: &mut [u16] = &mut order;
-        while let Some((place, after)) = rest.split_first_mut() {
-            *place = slot;
-            slot += 1;
-            rest = after;
-        }
-        Self { table: Table::new(), order, sorted: 0, stale: false, epoch: 0 }
+        Self { table: Table::new(), order: [0; N], sorted: 0, stale: false, epoch: 0 }
     }
 }
+
+/// Whether the next body gets a slot that was never taken, which comes last in the order.
+#[derive(Clone, Copy, Debug)]
+pub struct NewSlot(bool);
 
 impl<const N: usize, T: Tag> Default for SortSweep<N, T> {
     fn default() -> Self {
@@ -277,7 +274,11 @@ impl<const N: usize, T: Tag> Default for SortSweep<N, T> {
 }
 
 impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
-    any_box!();
+    any_box!(NewSlot);
+
+    fn admit(&self, _: &Aabb) -> Result<NewSlot, BroadError> {
+        Ok(NewSlot(self.table.state.free == 0))
+    }
 
     /// As far as the first body that begins beyond the region, where nothing came or moved since
     /// they were sorted.
@@ -299,8 +300,11 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
         }
     }
 
-    fn link(&mut self, _: usize, (): ()) {
+    fn link(&mut self, slot: usize, NewSlot(is_new): NewSlot) {
         self.stale = true;
+        if let Some(last) = self.order.get_mut(slot).filter(|_| is_new) {
+            *last = slot as u16;
+        }
     }
 
     /// A free slot keeps its position in the order, and its left side: a running enumeration finds

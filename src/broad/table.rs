@@ -19,7 +19,8 @@ pub(super) struct Table<T, const N: usize> {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct State {
-    /// The slot freed last, or NIL.
+    /// One more than the slot freed last, or 0. An empty table is all zero: a static one takes no
+    /// flash.
     pub(super) free: u16,
     /// Slots from here on were never taken.
     pub(super) top: u16,
@@ -34,8 +35,8 @@ pub(super) struct State {
 /// No slot.
 pub(super) const NIL: u16 = u16::MAX;
 
-/// A slot that nobody has: no box touches it. The left side is kept, which leaves an order by it as
-/// it is; the last word is the next free slot.
+/// A slot that nobody has any more: no box touches it. The left side is kept, which leaves an order
+/// by it as it is; the last word is one more than the next free slot, or 0.
 pub(super) const fn dead(left: i32, next: u16) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: left, y: i32::MAX }, Raw { x: i32::MIN, y: next as i32 })
 }
@@ -69,10 +70,10 @@ impl<T: Tag, const N: usize> Table<T, N> {
     pub(super) const fn new() -> Self {
         const { assert!(N < NIL as usize, "a broad phase holds at most 65534 bodies") };
         Self {
-            bounds: [dead(i32::MAX, NIL); N],
+            bounds: [Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO); N],
             tags: [T::BLANK; N],
             generations: [0; N],
-            state: State { free: NIL, top: 0, len: 0, moved: false, epoch: 0 },
+            state: State { free: 0, top: 0, len: 0, moved: false, epoch: 0 },
         }
     }
 
@@ -153,13 +154,13 @@ impl<T: Tag> Bodies<'_, T> {
 
 impl<T: Tag> Slots<'_, T> {
     pub(super) fn insert(&mut self, bounds: &Aabb, tag: T) -> Result<Handle, BroadError> {
-        let reused = self.state.free != NIL;
-        let slot = usize::from(if reused { self.state.free } else { self.state.top });
+        let reused = self.state.free.checked_sub(1);
+        let slot = usize::from(reused.unwrap_or(self.state.top));
         let places = (self.bounds.get_mut(slot), self.tags.get_mut(slot), self.generations.get_mut(slot));
         let (Some(place), Some(own), Some(generation)) = places else {
             return Err(BroadError::Full { capacity: self.bounds.len() as u16 });
         };
-        if reused {
+        if reused.is_some() {
             self.state.free = place.hi().y as u16;
         } else {
             self.state.top += 1;
@@ -177,7 +178,7 @@ impl<T: Tag> Slots<'_, T> {
         let (Some(place), Some(&tag), Some(generation)) = places else { return T::BLANK };
         *place = dead(place.lo().x, self.state.free);
         *generation = generation.wrapping_add(1);
-        self.state.free = slot as u16;
+        self.state.free = (slot as u16).wrapping_add(1);
         self.state.len -= 1;
         tag
     }

@@ -5,7 +5,7 @@ use super::Shape;
 use super::kernel::BodyShape;
 use super::way::{BodyWay, Drift};
 use crate::broad::{Handle, Keyed};
-use crate::filter::Filter;
+use crate::filter::{Filter, LayerMask};
 use crate::motion::{Responses, Surface};
 use crate::num::{Raw, Vec2};
 use core::num::NonZeroU8;
@@ -83,16 +83,50 @@ impl<S: BodyShape> SceneBody<S> {
     /// ```
     #[must_use]
     pub fn of(shape: impl Into<S>, key: u32) -> Self {
-        Self { shape: shape.into(), mass: Some(NonZeroU8::MIN), key, ..Self::NOBODY }
+        Self::of_shape(shape.into(), key)
     }
 
+    /// Like [`of`](Self::of), also in constants: a level's bodies as a table in flash.
+    ///
+    /// ```
+    /// use tilesat::scene::{SceneBody, Shape};
+    /// use tilesat::{Aabb, Fx, Vec2};
+    /// const fn crate_at(x: i16, y: i16) -> Shape {
+    ///     match Aabb::from_size(Vec2::from_ints(x, y), Vec2::from_ints(8, 8)) {
+    ///         Ok(bounds) => Shape::Aabb(bounds),
+    ///         Err(_) => panic!("a crate"),
+    ///     }
+    /// }
+    /// static BODIES: [SceneBody; 2] = [
+    ///     SceneBody::of_shape(crate_at(20, 0), 1),
+    ///     SceneBody { mass: None, ..SceneBody::of_shape(crate_at(40, 0), 2) }, // a wall
+    /// ];
+    /// assert_eq!(BODIES[0], SceneBody::new(crate_at(20, 0), 1));
+    /// assert_eq!(BODIES[1], SceneBody::fixed(crate_at(40, 0), 2));
+    /// ```
+    #[must_use]
+    pub const fn of_shape(shape: S, key: u32) -> Self {
+        Self {
+            shape,
+            velocity: Vec2::ZERO,
+            mass: Some(NonZeroU8::MIN),
+            surface: Surface::SLICK,
+            responses: Responses::NONE,
+            filter: Filter::new(LayerMask::ALL, LayerMask::ALL),
+            key,
+            floats: false,
+            fast: false,
+        }
+    }
+
+    /// All zero: see [`Slot::FREE`].
     const NOBODY: Self = Self {
         shape: S::POINT,
         velocity: Vec2::ZERO,
         mass: None,
         surface: Surface::SLICK,
         responses: Responses::NONE,
-        filter: Filter::new(crate::LayerMask::ALL, crate::LayerMask::ALL),
+        filter: Filter::new(LayerMask::NONE, LayerMask::NONE),
         key: 0,
         floats: false,
         fast: false,
@@ -180,22 +214,33 @@ pub(super) const FLIES: u16 = u16::MAX - 2;
 pub(super) const ALOFT: u8 = u8::MAX;
 
 impl<S: BodyShape> Slot<S> {
+    /// A slot without a body. All its bits are zero, so a static scene without bodies takes no
+    /// flash. Nothing but the mode counts.
     pub(super) const FREE: Self = Self {
         body: SceneBody::NOBODY,
         generation: 0,
         mode: Mode::Free,
         quiet: 0,
-        support: ALOFT,
-        ground: NOBODY,
-        tally: Tally::of(0),
-        way: BodyWay::REST,
+        support: 0,
+        ground: 0,
+        tally: Tally { under: 0, ..Tally::of(0) },
+        way: BodyWay::BLANK,
     };
 
     pub(super) fn of(body: &SceneBody<S>, handle: Handle) -> Self {
         let fixed = body.mass.is_none();
         let mode = if fixed { Mode::Fixed } else { Mode::Asleep };
         let support = if fixed { 0 } else { ALOFT };
-        Self { body: *body, generation: handle.generation(), mode, support, ..Self::FREE }
+        Self {
+            body: *body,
+            generation: handle.generation(),
+            mode,
+            quiet: 0,
+            support,
+            ground: NOBODY,
+            tally: Tally::of(0),
+            way: BodyWay::REST,
+        }
     }
 
     pub(super) fn is_awake(&self) -> bool {

@@ -47,7 +47,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             if pile.carry(handle, replies, each) {
                 lying = from_the_lowest(movers, at, pile.slots, trip.gravity);
             }
-            calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.steps);
+            calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.sleep().steps);
         }
         calm
     }

@@ -6,11 +6,12 @@ use super::meeting::toward;
 use super::memory::Place;
 use super::met::{around, may_meet, senses};
 use super::reply::Unasked;
+use super::view::Sliding;
 use super::{Scene, SceneError, SceneFault};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::error::{Quantity, RangeError};
 use crate::filter::Filter;
-use crate::motion::{Body, Mover, MovingSolid, Ride};
+use crate::motion::{Body, Mover, MovingSolid, Responses, Ride, Surface};
 use crate::num::{Fx, MOTION, Vec2};
 use crate::query::Touches;
 use crate::world::{Joined, World};
@@ -103,7 +104,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// }
     /// let before = crates.map(|at| scene.body(at).unwrap().shape.position());
     /// for _ in 0..20 {
-    ///     lift[0] = lift[0].with_motion(Vec2::from_ints(2, -1))?;
+    ///     lift[0].set_motion(Vec2::from_ints(2, -1))?;
     ///     scene.ride(&level, &mut lift, gravity, fx!(4), |body, ride| {
     ///         assert_eq!((body, ride), (crates[0], Ok(Ride::Carried)));
     ///     })?;
@@ -171,6 +172,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         T::move_each(solids);
         let moved = T::level(solids);
+        // The mover of steps: another type of mover would link most of it once more.
+        let mover = mover.with_surface(Surface::SLICK).with_responses(Responses::NONE);
         self.go_along(&mover, &Joined::new(level, &moved), &mut each);
         Ok(())
     }
@@ -227,7 +230,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Moves the bodies, after the solids.
-    fn go_along<W: World>(&mut self, mover: &Mover, world: &W, each: &mut dyn FnMut(Handle, Result<Ride, SceneFault>)) {
+    fn go_along<W: World>(
+        &mut self,
+        mover: &Sliding,
+        world: &W,
+        each: &mut dyn FnMut(Handle, Result<Ride, SceneFault>),
+    ) {
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             let does = take(&mut slot.tally.hits);
@@ -260,7 +268,7 @@ impl<S, W: World, T: MovingSolid> Visit<S> for Ask<'_, W, T> {
 }
 
 /// A motion as far as the level and the solids allow.
-struct Along<'a, W>(&'a Mover, &'a W, Vec2);
+struct Along<'a, W>(&'a Sliding, &'a W, Vec2);
 
 impl<S, W: World> Visit<S> for Along<'_, W> {
     type Out = Result<S, SceneFault>;

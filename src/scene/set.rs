@@ -42,6 +42,28 @@ impl Sleep {
     pub(super) const DEFAULT: Self = Self { still: Fx::from_bits(1 << 11), steps: 30 };
 }
 
+/// [`Sleep`] as its difference from the default, so that a static scene without bodies takes no
+/// flash: all its bits are zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct SleepDifference {
+    still: i32,
+    steps: u8,
+}
+
+impl SleepDifference {
+    const DEFAULT: (i32, u8) = (Sleep::DEFAULT.still.to_bits(), Sleep::DEFAULT.steps);
+
+    pub(super) const fn of(sleep: Sleep) -> Self {
+        let (still, steps) = Self::DEFAULT;
+        Self { still: sleep.still.to_bits() ^ still, steps: sleep.steps ^ steps }
+    }
+
+    pub(crate) const fn sleep(self) -> Sleep {
+        let (still, steps) = Self::DEFAULT;
+        Sleep { still: Fx::from_bits(self.still ^ still), steps: self.steps ^ steps }
+    }
+}
+
 /// Up to N bodies in a broad phase, moved through a level by one call per frame.
 ///
 /// `B` is any [`BroadPhase`] with [`SceneTag`](super::SceneTag)s and room for N bodies:
@@ -62,12 +84,13 @@ pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
     pub(crate) count: usize,
     /// How the bodies in the first slots lie, and beyond N the ways of any.
     pub(super) memory: [Place; M],
-    /// You may change it at any time.
-    pub sleep: Sleep,
+    pub(crate) sleep: SleepDifference,
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, N, 0, S> {
-    /// A scene without bodies, on an empty broad phase. It may be a `static`.
+    /// A scene without bodies, on an empty broad phase. It may be a `static`, which takes no flash
+    /// with a [`SortSweep`](crate::broad::SortSweep) or a [`BruteForce`](crate::broad::BruteForce):
+    /// all its bits are zero.
     #[must_use]
     pub const fn new(near: B) -> Self {
         Self::with_sleep(near, Sleep::DEFAULT)
@@ -82,7 +105,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, 
     /// type Near = SortSweep<64, Keyed<Filter>>;
     /// let late = Sleep { steps: 120, ..Sleep::default() };
     /// let scene = Scene::<Near, 64>::with_sleep(Near::new(), late);
-    /// assert_eq!(scene.sleep.steps, 120);
+    /// assert_eq!(scene.sleep().steps, 120);
     /// ```
     #[must_use]
     pub const fn with_sleep(near: B, sleep: Sleep) -> Self {
@@ -130,7 +153,35 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// ```
     #[must_use]
     pub const fn remembering(near: B, sleep: Sleep) -> Self {
-        Self { near, slots: [Slot::FREE; N], awake: [Handle::new(0, 0); N], count: 0, memory: [Place::Empty; M], sleep }
+        Self {
+            near,
+            slots: [Slot::FREE; N],
+            awake: [Handle::new(0, 0); N],
+            count: 0,
+            memory: [Place::Empty; M],
+            sleep: SleepDifference::of(sleep),
+        }
+    }
+
+    /// When its bodies fall asleep.
+    #[must_use]
+    pub const fn sleep(&self) -> Sleep {
+        self.sleep.sleep()
+    }
+
+    /// Sets when bodies fall asleep, from the next step on.
+    ///
+    /// ```
+    /// use tilesat::broad::SortSweep;
+    /// use tilesat::scene::{SceneTag, Sleep};
+    /// use tilesat::Scene;
+    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// assert_eq!(scene.sleep(), Sleep::default());
+    /// scene.set_sleep(Sleep::NEVER);
+    /// assert_eq!(scene.sleep(), Sleep::NEVER);
+    /// ```
+    pub const fn set_sleep(&mut self, sleep: Sleep) {
+        self.sleep = SleepDifference::of(sleep);
     }
 
     /// The broad phase: for rays, regions and nearest bodies, and for the tags of bodies (`still`

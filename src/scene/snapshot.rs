@@ -3,7 +3,8 @@
 use super::body::{Mode, Slot, Tally};
 use super::kernel::BodyShape;
 use super::memory::Place;
-use super::way::Drift;
+use super::set::SleepDifference;
+use super::way::{BodyWay, Drift};
 use super::{Scene, SceneBody, Shape, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
@@ -47,7 +48,7 @@ pub struct Snapshot<B, const N: usize, S = Shape> {
     /// The slots of the bodies awake come first; the others are zero.
     pub(super) awake: [u16; N],
     pub(crate) count: u16,
-    pub(crate) sleep: Sleep,
+    pub(crate) sleep: SleepDifference,
 }
 
 /// The state that one slot carries from step to step. Its generation is in the broad phase.
@@ -72,7 +73,7 @@ impl<S: BodyShape> Kept<S> {
         let Self { body, mode, quiet, support, ground, drift } = *self;
         let generation = if matches!(mode, Mode::Free) { 0 } else { handle.generation() };
         let tally = Tally { drift, ..Tally::of(handle.slot() as u16) };
-        Slot { body, generation, mode, quiet, support, ground, tally, ..Slot::FREE }
+        Slot { body, generation, mode, quiet, support, ground, tally, way: BodyWay::REST }
     }
 
     #[cfg(feature = "serde")]
@@ -85,10 +86,10 @@ impl<S: BodyShape> Kept<S> {
 
 impl<B, const N: usize, S: BodyShape> Snapshot<B, N, S> {
     /// The state of a new scene on this empty broad phase: a value that
-    /// [`snapshot_into`](Scene::snapshot_into) fills. It may be a `static`.
+    /// [`snapshot_into`](Scene::snapshot_into) fills. It may be a `static`, as [`Scene::new`].
     #[must_use]
     pub const fn new(near: B) -> Self {
-        Self { near, kept: [Kept::FREE; N], awake: [0; N], count: 0, sleep: Sleep::DEFAULT }
+        Self { near, kept: [Kept::FREE; N], awake: [0; N], count: 0, sleep: SleepDifference::of(Sleep::DEFAULT) }
     }
 }
 
@@ -153,7 +154,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> Fr
     for Scene<B, N, 0, S>
 {
     fn from(snapshot: &Snapshot<B, N, S>) -> Self {
-        let mut scene = Self::with_sleep(snapshot.near, snapshot.sleep);
+        let mut scene = Self::with_sleep(snapshot.near, snapshot.sleep.sleep());
         scene.restore(snapshot);
         scene
     }

@@ -320,8 +320,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         replies: &mut impl Replies,
         each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> bool {
-        let Sleep { steps, .. } = self.sleep;
-        let trip = Trip::new(view, gravity, self.sleep, N);
+        let Sleep { steps, .. } = self.sleep();
+        let trip = Trip::new(view, gravity, self.sleep(), N);
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
@@ -358,7 +358,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 
     /// Bodies that touch, directly or not, sleep together or not at all.
     fn fall_asleep(&mut self, stepped: &mut Stepped) {
-        let Sleep { steps, .. } = self.sleep;
+        let Sleep { steps, .. } = self.sleep();
         let slots = &mut self.slots;
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         for handle in &*awake {

@@ -2,6 +2,7 @@
 
 use super::body::{Mode, NOBODY};
 use super::kernel::BodyShape;
+use super::set::SleepDifference;
 use super::snapshot::{Kept, Snapshot};
 use super::way::Drift;
 use super::{Scene, SceneBody, Sleep};
@@ -48,7 +49,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> Fo
         Self {
             version: Version,
             near: snapshot.near,
-            sleep: snapshot.sleep,
+            sleep: snapshot.sleep.sleep(),
             bodies: bodies.collect(),
             awake: snapshot.awake.iter().copied().take(usize::from(snapshot.count)).collect(),
         }
@@ -81,7 +82,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> Fo
         }
         let count = kept.iter().filter(|kept| kept.is_awake()).count();
         ensure(count == awake.len(), awake.len(), "the list of those awake leaves one out")?;
-        Ok(Snapshot { near, kept, awake: list, count: count as u16, sleep })
+        Ok(Snapshot { near, kept, awake: list, count: count as u16, sleep: SleepDifference::of(sleep) })
     }
 }
 
@@ -142,7 +143,7 @@ where
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let snapshot = Snapshot::deserialize(from)?;
-        let mut scene = Self::remembering(snapshot.near, snapshot.sleep);
+        let mut scene = Self::remembering(snapshot.near, snapshot.sleep.sleep());
         scene.restore(&snapshot);
         Ok(scene)
     }

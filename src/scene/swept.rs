@@ -69,7 +69,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         stepped.woken += woken as u16;
         self.count += woken;
         self.tell_woken(from);
-        let quiet = |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= self.sleep.steps);
+        let quiet =
+            |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= self.sleep().steps);
         self.awake().iter().any(quiet)
     }
 }

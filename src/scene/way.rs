@@ -50,6 +50,9 @@ pub(super) enum End {
 impl BodyWay {
     pub(super) const REST: Self = Self::made(Vec2::ZERO);
 
+    /// Of no body: all bits are zero.
+    pub(super) const BLANK: Self = Self { since: Toi::ZERO, end: (Toi::ZERO, End::Level), ..Self::made(Vec2::ZERO) };
+
     /// It waits for those below.
     pub(super) fn lies(&self) -> bool {
         matches!(self.pace, Pace::Lies | Pace::Moved)

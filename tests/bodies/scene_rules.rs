@@ -216,7 +216,7 @@ fn no_body_enters_the_solid() {
         let (level, bodies) = crowd(&mut r);
         let room = Room::new(&level);
         let mut scene = filled(SortSweep::<BODIES, SceneTag>::new(), &bodies.iter().collect::<Vec<_>>(), 0);
-        scene.sleep = Sleep::NEVER;
+        scene.set_sleep(Sleep::NEVER);
         let mut before = seen(&scene);
         for frame in 0..250 {
             let stepped = step(&mut scene, &level, GRAVITY);
@@ -284,7 +284,7 @@ fn meetings_keep_momentum_and_gain_no_energy() {
             });
         }
         let mut scene = filled(SortSweep::<BODIES, SceneTag>::new(), &bodies.iter().collect::<Vec<_>>(), 0);
-        scene.sleep = Sleep::NEVER;
+        scene.set_sleep(Sleep::NEVER);
         for _ in 0..20 {
             let (p, e) = sums(seen(&scene).iter().map(|s| &s.0));
             let mut contacts = 0;
@@ -352,7 +352,7 @@ fn what_lies_on_a_body_gains_no_energy() {
             scene.insert(&body).unwrap();
             put += 1;
         }
-        scene.sleep = Sleep::NEVER;
+        scene.set_sleep(Sleep::NEVER);
         for frame in 0..150 {
             let mut before: Vec<_> = seen(&scene).into_iter().map(|s| s.0).collect();
             for body in before.iter_mut().filter(|body| body.mass.is_some() && !body.floats) {

@@ -201,7 +201,7 @@ fn what_stood_on_a_body_wakes_when_it_goes() {
 fn an_island_sleeps_together() {
     let map = room(ROOM);
     let mut scene = scene();
-    scene.sleep = Sleep { still: Fx::from_num(0.05), steps: 10 };
+    scene.set_sleep(Sleep { still: Fx::from_num(0.05), steps: 10 });
     // A row of crates, each overlapping the next, on the floor; a fly hops on the last.
     let row: Vec<_> =
         (0..12).map(|k| scene.insert(&SceneBody::new(boxed(30 + 10 * k, 118, 10, 10), k as u32)).unwrap()).collect();

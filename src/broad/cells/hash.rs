@@ -49,7 +49,8 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHas
     const FACTOR: u16 = factor(BUCKETS);
 
     /// An empty broad phase, which may be a `static`, with the side of its cells: a power of two of
-    /// raw units (so of units as well), from 2 raw to 4096 units.
+    /// raw units (so of units as well), from 2 raw to 4096 units. Like a
+    /// [`LooseGrid`](crate::broad::LooseGrid::new), a static one takes as much flash as RAM.
     ///
     /// # Errors
     /// [`GridError::Cell`].

@@ -61,13 +61,13 @@ impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
             let tenant = if handle.is_taken() {
                 Tenant::Body { generation, bounds: *bounds, tag }
             } else {
-                Tenant::Nobody { generation, left: bounds.lo().x, next: bounds.hi().y as u16 }
+                Tenant::Nobody { generation, left: bounds.lo().x, next: slot_of(bounds.hi().y as u16) }
             };
             let room = slots.push(tenant).is_ok();
             debug_assert!(room, "a table has at most N slots");
         }
         let State { free, moved, epoch, .. } = table.state;
-        Self { slots, free, moved, epoch }
+        Self { slots, free: slot_of(free), moved, epoch }
     }
 
     fn check(self) -> Result<Table<T, N>, Wrong> {
@@ -84,7 +84,7 @@ impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
                 }
                 Tenant::Nobody { generation, left, next } => {
                     ensure(!Handle::new(at, generation).is_taken(), at, "it is free, and its generation is odd")?;
-                    (*place, *known) = (dead(left, next), generation);
+                    (*place, *known) = (dead(left, link_to(next)), generation);
                 }
             }
         }
@@ -102,9 +102,18 @@ impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
             (next, left) = (*then, rest);
         }
         ensure(left == 0, usize::from(free), "the list of free slots, which begins here, leaves some out")?;
-        table.state = State { free, top: slots.len() as u16, len, moved, epoch };
+        table.state = State { free: link_to(free), top: slots.len() as u16, len, moved, epoch };
         Ok(table)
     }
+}
+
+/// A table counts free slots from 1, and what is stored from 0, with NIL at the end.
+const fn slot_of(link: u16) -> u16 {
+    link.wrapping_sub(1)
+}
+
+const fn link_to(slot: u16) -> u16 {
+    slot.wrapping_add(1)
 }
 
 /// Slots that come once each, all of them below `end`.

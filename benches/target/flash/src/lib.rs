@@ -5,6 +5,7 @@
 
 #![no_std]
 
+pub mod bodies;
 pub mod hero;
 
 use tilesat::Aabb;

@@ -6,8 +6,8 @@ use tilesat::prelude::*;
 use tilesat::scene::SceneFault;
 use tilesat::scene::{Reply, SceneEvent, SceneTag, Shape, Sleep, Snapshot, WithCapsules};
 use tilesat::shape::AnyShape;
-use tilesat::world::{AllShapes, ConvexSolid, Joined, SegmentMap, Solids, TileMap, Trail};
-use tilesat::{Aabb, Capsule, Circle, Fx, Scene, SceneBody, Solid, Vec2};
+use tilesat::world::{AllShapes, ConvexSolid, ConvexSolids, Joined, SegmentMap, Solids, TileMap, Trail};
+use tilesat::{Aabb, Capsule, Circle, Fx, OrientedBox, Scene, SceneBody, Solid, Vec2};
 use tilesat_flash::keep;
 
 type Near = SortSweep<16, SceneTag>;
@@ -16,6 +16,7 @@ type Remembering = Scene<Near, 16, 24>;
 type Any = Scene<Near, 16, 0, AnyShape<6>>;
 type Rides = fn(Handle, Result<Ride, SceneFault>);
 type Doors<'a> = Joined<'a, TileMap<'a, AllShapes>, Solids<'a>>;
+type Planks<'a> = Joined<'a, TileMap<'a, AllShapes>, ConvexSolids<'a, OrientedBox>>;
 
 macro_rules! scenes {
     ($($n:literal: $near:ty),+ $(,)?) => {
@@ -23,6 +24,8 @@ macro_rules! scenes {
             |near: $near| Scene::<$near, $n>::new(near);
             |near: $near, sleep: Sleep| Scene::<$near, $n>::with_sleep(near, sleep);
             |s: &'static Scene<$near, $n>| s.near();
+            |s: &mut Scene<$near, $n>, sleep: Sleep| s.set_sleep(sleep);
+            |s: &Scene<$near, $n>| s.sleep();
             |s: &mut Scene<$near, $n>, body: &SceneBody| s.insert(body);
             |s: &mut Scene<$near, $n>, h: Handle| s.remove(h);
             |s: &'static Scene<$near, $n>, h: Handle| s.body(h);
@@ -38,15 +41,16 @@ macro_rules! scenes {
             |s: &Scene<$near, $n>| s.snapshot();
             |s: &Scene<$near, $n>, into: &mut Snapshot<$near, $n>| s.snapshot_into(into);
             |s: &mut Scene<$near, $n>, from: &Snapshot<$near, $n>| s.restore(from);
-            |s: &mut Scene<$near, $n>, l: &TileMap<'_>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+            |s: &mut Scene<$near, $n>, blocks: &TileMap<'_>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(blocks, g, each);
         })+
     };
 }
 
+// The names of levels and scenes are those of the rows of bounds.
 macro_rules! steps {
-    ($($level:ty),+) => {
+    ($($l:ident: $level:ty),+) => {
         $(keep! {
-            |s: &mut Scene<SortSweep<64, SceneTag>, 64>, l: &$level, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+            |s: &mut Scene<SortSweep<64, SceneTag>, 64>, $l: &$level, g: Vec2, each: fn(SceneEvent<'_>)| s.step($l, g, each);
             |s: &Shape, l: &$level| s.overlaps_level(l);
         })+
     };
@@ -56,6 +60,7 @@ fn shapes() {
     keep! {
         |shape: Shape, key: u32| SceneBody::new(shape, key);
         |shape: Shape, key: u32| SceneBody::fixed(shape, key);
+        |shape: Shape, key: u32| SceneBody::of_shape(shape, key);
         |shape: Aabb| Shape::from(shape);
         |shape: Circle| Shape::from(shape);
         |s: &Shape| (s.aabb(), s.position());
@@ -76,7 +81,7 @@ fn phases() {
 }
 
 fn levels() {
-    steps!(TileMap<'_, AllShapes>, SegmentMap<'_>, Doors<'_>);
+    steps!(shapes: TileMap<'_, AllShapes>, segments: SegmentMap<'_>, lifts: Doors<'_>, planks: Planks<'_>);
 }
 
 fn sets() {
@@ -88,20 +93,22 @@ fn sets() {
         |s: &mut Pills, body: &SceneBody<WithCapsules>| s.insert(body);
         |s: &mut Pills, h: Handle, shape: WithCapsules| s.place(h, shape);
         |s: &mut Pills, h: Handle| s.remove(h);
-        |s: &mut Pills, l: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+        |pills: &mut Pills, shapes: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| pills.step(shapes, g, each);
         |s: &Pills, into: &mut Snapshot<Near, 16, WithCapsules>| s.snapshot_into(into);
         |s: &mut Pills, from: &Snapshot<Near, 16, WithCapsules>| s.restore(from);
         |shape: AnyShape<6>, key: u32| SceneBody::<AnyShape<6>>::of(shape, key);
         |s: &mut Any, body: &SceneBody<AnyShape<6>>| s.insert(body);
         |s: &mut Any, h: Handle, shape: AnyShape<6>| s.place(h, shape);
-        |s: &mut Any, l: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+        |any: &mut Any, shapes: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| any.step(shapes, g, each);
     }
 }
 
 fn rides() {
     keep! {
-        |s: &mut Pills, l: &TileMap<'_, AllShapes>, solids: &mut [Solid], g: Vec2, follow: Fx, each: Rides| s.ride(l, solids, g, follow, each);
-        |s: &mut Any, l: &TileMap<'_, AllShapes>, solids: &mut [ConvexSolid<AnyShape<6>>], g: Vec2, follow: Fx, each: Rides| s.ride(l, solids, g, follow, each);
+        |s: &mut Scene<Near, 16>, l: &TileMap<'_, AllShapes>, lifts: &mut [Solid], g: Vec2, follow: Fx, each: Rides| s.ride(l, lifts, g, follow, each);
+        |s: &mut Scene<Near, 16>, l: &TileMap<'_, AllShapes>, planks: &mut [ConvexSolid<OrientedBox>], g: Vec2, follow: Fx, each: Rides| s.ride(l, planks, g, follow, each);
+        |pills: &mut Pills, l: &TileMap<'_, AllShapes>, lifts: &mut [Solid], g: Vec2, follow: Fx, each: Rides| pills.ride(l, lifts, g, follow, each);
+        |any: &mut Any, l: &TileMap<'_, AllShapes>, solids: &mut [ConvexSolid<AnyShape<6>>], g: Vec2, follow: Fx, each: Rides| any.ride(l, solids, g, follow, each);
     }
 }
 
@@ -111,7 +118,7 @@ fn memory() {
         |s: &mut Remembering, body: &SceneBody| s.insert(body);
         |s: &mut Remembering, h: Handle, v: Vec2| s.set_velocity(h, v);
         |s: &mut Remembering, region: &Aabb| s.wake_region(region);
-        |s: &mut Remembering, l: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| s.step(l, g, each);
+        |remembering: &mut Remembering, shapes: &TileMap<'_, AllShapes>, g: Vec2, each: fn(SceneEvent<'_>)| remembering.step(shapes, g, each);
         |s: &mut Remembering, l: &TileMap<'_, AllShapes>, g: Vec2, replies: fn(Pair) -> Reply, passed: fn(Handle, &Shape, &Trail)| s.step_along(|_| l, g, replies, |_| (), passed);
         |l: &TileMap<'_>, s: &Shape, trail: &Trail| l.tiles_on(s, trail).map(Iterator::count);
     }

@@ -27,7 +27,7 @@ fn steps(table: &Table, scene: &mut Bodies<0>, map: &Map) -> Option<()> {
         scene.step(map, GRAVITY, |_| {}).ok()?;
     }
     row(table, "64 bodies awake that lie, step", None, scene, map, |s| usize::from(s.moved) == BODIES)?;
-    scene.sleep = Sleep { still: Fx::ONE, steps: 1 };
+    scene.set_sleep(Sleep { still: Fx::ONE, steps: 1 });
     for _ in 0..1000 {
         scene.step(map, GRAVITY, |_| {}).ok()?;
     }
@@ -52,7 +52,7 @@ fn packed(table: &Table, scene: &mut Bodies<0>) -> Option<()> {
         let Some(handle) = first else { break };
         scene.remove(handle).ok()?;
     }
-    scene.sleep = Sleep::NEVER;
+    scene.set_sleep(Sleep::NEVER);
     let (map, mut random) = (on(&ROOM, 8, 6)?, Random::new(5));
     let bouncy = Surface::new(Ratio::percent(95)?, Ratio::ZERO);
     for key in 0..PACKED as i32 {
