@@ -1,10 +1,10 @@
-//! The surfaces that a body touches: the features within the rounding distance of its position, and
-//! which way each of them faces there.
+//! The surfaces that a body touches: the features within the rounding distance of its position,
+//! which way each of them faces there, and whether it lay there before.
 
-use super::body::Body;
-use super::plane::{NEAR, Pipe, into};
+use super::body::{Body, Entry};
+use super::plane::{NEAR, Pipe, across, into, tangential};
 use super::search::hull;
-use crate::num::{Axis, Raw, umul};
+use crate::num::{Axis, Raw, isqrt64, umul, usqr};
 use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World, corners_of, ends, normal};
@@ -228,4 +228,99 @@ fn is_at_corner<B: Body>(body: &B, p: Raw, plane: &mut dyn FnMut(Plane)) -> bool
 fn sides(plane: &mut dyn FnMut(Plane)) {
     plane(Plane { normal: Axis::X, bend: Bend::End });
     plane(Plane { normal: Axis::Y, bend: Bend::End });
+}
+
+/// How a body came to the surface that it hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Came {
+    /// It lay there already: on the plane of the surface within the rounding distance, wherever
+    /// that is cut, or on a hop.
+    Lay,
+    /// On a hop, but now it is so fast that it goes round the corner or arc.
+    Hopped,
+    Flew,
+}
+
+/// A body that comes to a convex corner or arc lay on it one call ago if it left along its own
+/// tangent. Moving `s` along a tangent, it rises off a circle of radius `rho` by at most
+/// `s^2 / 2 rho`.
+pub(super) fn came<W: World, B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> Came {
+    let n = hit.normal;
+    let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
+    if into(made, n).unsigned_abs() <= rounding {
+        return Came::Lay;
+    }
+    let mut came = Came::Flew;
+    if hit.step.is_some() {
+        touched::<W, B>(body, feature, &mut |plane| came = came.min(came_to(&plane, u, made)));
+    }
+    came
+}
+
+fn came_to(plane: &Plane, u: Raw, made: Raw) -> Came {
+    let Plane { normal: n, bend: Bend::Convex } = *plane else { return Came::Flew };
+    let m = Raw { x: n.x, y: n.y };
+    if is_no_hop(m, u, made) { Came::Flew } else { hops(m, across(u, n), made) }
+}
+
+/// How a body came from `m - made` to `m`, as seen from the centre: `|m|` is rho, `along / |m|` is
+/// the speed along the tangent.
+///
+/// That speed limits a hop, but it is not the hop's own. The game adds gravity before each call,
+/// and for small bodies that is most of the speed. So the position tells how far the hop went. It
+/// is one if the tangent turned by less than a quarter of its length.
+fn hops(m: Raw, along: i64, made: Raw) -> Came {
+    let (rho, was) = (isqrt64(m.len2()), isqrt64(m.sub(made).len2()));
+    let (speed, most) = (tangential(along, Axis::new(m.x, m.y)), rho >> 2);
+    if umul(rho, was.saturating_sub(rho).saturating_sub(NEAR)) * 2 > usqr(speed.min(most)) {
+        Came::Flew
+    } else if speed <= most {
+        Came::Lay
+    } else {
+        Came::Hopped
+    }
+}
+
+/// Whether it is known without a root that a body did not hop, as it mostly is: it was too far off.
+///
+/// With the squares M of rho and W of the distance before, the gap between their roots is
+/// `(W - M) / (sqrt W + sqrt M)`. For W up to 4 M that is at least `(W - M) / 3 sqrt M`. Roundings
+/// and NEAR take less than 5 from it and 1 from rho. So `2 rho gap` is at least
+/// `2 (W - M) / 3 - 12 sqrt M`. A hop's square is at most `|u|^2`, and a sixteenth of M. For a
+/// larger W the gap is about rho or more. `sum` is at least rho.
+fn is_no_hop(m: Raw, u: Raw, made: Raw) -> bool {
+    let (size, sum) = (m.len2(), u64::from(m.x.unsigned_abs().wrapping_add(m.y.unsigned_abs())));
+    let (before, most) = (m.sub(made).len2(), (u.len2() << 1).min(size >> 3));
+    (size >= 64 && before >> 2 > size) || before > size.wrapping_add(most).wrapping_add(sum << 6)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Came, Raw, across, hops, is_no_hop};
+    use tilesat_judge::{Random, cases};
+
+    /// What is said without roots agrees with them: at all scales, also beside the limits.
+    #[test]
+    fn no_hop_is_told_without_roots() {
+        let (mut random, mut seen, mut told) = (Random::new(17), 0u32, 0u32);
+        for _ in 0..cases(400_000) {
+            let (size, speed, far) = (random.within(1, 26), random.within(1, 26), random.within(1, 26));
+            let mut part = |bits: i64| {
+                let most = 1 << bits;
+                random.around(most) as i32
+            };
+            let m = Raw { x: part(size), y: part(size) };
+            let u = Raw { x: part(speed), y: part(speed) };
+            let made = Raw { x: part(far), y: part(far) };
+            if m.is_zero() {
+                continue;
+            }
+            let along = across(u, Axis::new(m.x, m.y));
+            let (hop, none) = (hops(m, along, made) != Came::Flew, is_no_hop(m, u, made));
+            assert!(!(hop && none), "{m:?} by {made:?}, {u:?}");
+            seen += u32::from(hop);
+            told += u32::from(none);
+        }
+        assert!(seen > 100 && told > 1000, "{seen} hops, {told} told");
+    }
 }

@@ -35,6 +35,8 @@ pub(super) struct Run<'m, B> {
     /// Whether it flew to the first of the surfaces that it touches. It then meets the next surface
     /// with the remaining velocity.
     pub(super) flew: bool,
+    /// The velocity of the call, from a first hit to which the body came on a hop to the next hit.
+    pub(super) hopped: Option<Raw>,
     /// The probe of the current way.
     pub(super) tried: Raw,
     /// The ways that led nowhere from this position.
@@ -82,6 +84,7 @@ impl<'m, B: Body> Run<'m, B> {
             came: false,
             falls: false,
             flew: false,
+            hopped: None,
             is_first: true,
             tried: long(v),
             shut: Shut::none(v),

@@ -33,6 +33,7 @@ mod response_gravity;
 mod response_mover;
 mod rest;
 mod rest_segments;
+mod rest_tips;
 mod rooms;
 mod same;
 mod scenes;
