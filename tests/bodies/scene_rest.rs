@@ -173,7 +173,7 @@ fn bodies_without_bounce_rest_in_a_nook() {
     let mut rests = 0;
     for level in [uneven.all(), steep.all()] {
         for percent in [0, 20] {
-            for x in (28..68).step_by(3) {
+            for x in (28..68).step_by(9) {
                 let at = |dx: i16, dy: i16| Vec2::from_ints(x + dx, 14 + dy);
                 let corners = [(-5, 0), (-2, -4), (3, -3), (5, 1), (0, 4)].map(|(dx, dy)| at(dx, dy));
                 let bodies: [Any; 5] = [
@@ -206,5 +206,5 @@ fn bodies_without_bounce_rest_in_a_nook() {
             }
         }
     }
-    assert_eq!(rests, 280);
+    assert_eq!(rests, 100);
 }

@@ -4,7 +4,10 @@
 //! ```text
 //! cargo run --profile checked -p tilesat-soak                               all of it, on two cores
 //! cargo run --profile checked -p tilesat-soak -- --minutes 15 --threads 1   a quarter of an hour of it
-//! ... -- --class tiny --queries 1e8 --frames 0 --levels 0 --state /tmp/tiny.txt             a part; --list tells the names
+//! ... -- --class tiny --queries 1e8 --frames 0 --levels 0 --pairs 0 --state /tmp/tiny.txt   a part; --list tells the names
+//! ... -- --pairs 1e7 --queries 0 --frames 0 --levels 0                                      all pairs of the six shapes
+//! ... -- --lattice quads5                        instead: all pairs of quadrangles of a lattice of 5 by 5 points
+//! ... -- --rest 1e6                              instead: bodies and piles at rest, a million frames of each
 //! ```
 //!
 //! Every few seconds it prints a line with progress, speed and the time left, and saves the
@@ -19,6 +22,12 @@
 //!   `cast_shape` with a motion through, from or to the position. The judge ([`quick`]) answers in
 //!   128-bit integers. The judges of the tests check one pair and cast in 256 as well. They know
 //!   axes, points, positions and the exact floor of the time.
+//! - **Pairs of all six shapes** ([`convex`]), also of capsules, turned boxes and polygons, in ten
+//!   classes, then three times with every number moved by up to a raw unit. It checks the same
+//!   answers, and `overlaps_from` with the hint of the last pair. The 256-bit judge of the tests
+//!   checks one in a thousand, with manifolds and closest points too.
+//! - **Lattices** ([`lattice`]): every pair of triangles or quadrangles of a lattice.
+//! - **Rest** ([`rest`]): no body at rest ever moves again.
 //! - **Frames**: circles and boxes at up to 60 px per frame, in cells of 16. They move in random
 //!   worlds of all 34 shapes and one-way edges, with all responses, elastic ones too. No overlap
 //!   after a frame, no gain of speed, and a free way to the first contact at each sixteenth of the
@@ -33,11 +42,14 @@
 //! levels of blocks it checks the room. It looks at tiles only at each sixteenth. It could miss
 //! something thinner than a sixteenth of a frame's motion.
 
+mod convex;
 mod frames;
+mod lattice;
 mod options;
 mod queries;
 mod quick;
 mod report;
+mod rest;
 mod room;
 mod selftest;
 mod state;
@@ -74,6 +86,12 @@ fn run(options: &Options) -> Result<ExitCode, String> {
     // interest.
     std::panic::set_hook(Box::new(|what| eprintln!("{what}")));
     selftest::judge(options.seed)?;
+    if let Some(name) = &options.lattice {
+        return lattice::run(name).map(|()| ExitCode::SUCCESS);
+    }
+    if options.rest > 0 {
+        return Ok(if rest::run(options.rest) { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+    }
     let mut state = if options.fresh { State::new(options.seed) } else { State::load(&options.state, options.seed)? };
     let scratch = options::target().join("soak");
     std::fs::create_dir_all(&scratch).map_err(|e| format!("{}: {e}", scratch.display()))?;

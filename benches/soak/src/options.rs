@@ -7,6 +7,12 @@ pub struct Options {
     pub frames: u64,
     pub queries: u64,
     pub levels: u64,
+    /// Of each pair of all six shapes.
+    pub pairs: u64,
+    /// Frames of each rest. Zero: no such run.
+    pub rest: u64,
+    /// The list of [`lattice`](crate::lattice) to run.
+    pub lattice: Option<String>,
     pub minutes: u64,
     pub threads: u64,
     pub seed: u64,
@@ -21,6 +27,7 @@ usage: cargo run --profile checked -p tilesat-soak -- [OPTION]...
   --frames N    all frames of motion, with earlier runs; default 1000000000
   --queries N   all answers of pairs and casts; default 10000000000
   --levels N    all random TMX levels; default 10000
+  --pairs N     all pairs of each two of the six shapes; default 10000000
   --minutes M   stop after M minutes; default 0: run to the end
   --threads T   default 2
   --seed S      default 1; another seed is another run with a separate state
@@ -28,6 +35,8 @@ usage: cargo run --profile checked -p tilesat-soak -- [OPTION]...
   --state FILE  file of the counters; default soak/state-SEED.txt in the target directory
   --fresh       forget the state
   --list        the names of the classes
+  --lattice NAME  instead: all pairs of polygons of a lattice, such as quads5
+  --rest N        instead: N frames of each body and pile at rest
 You can write numbers as 1e9. A run continues from the state file, and exits with 1 on the first wrong answer.";
 
 fn number(text: &str) -> Option<u64> {
@@ -44,6 +53,9 @@ pub fn parse(mut words: impl Iterator<Item = String>) -> Result<Option<Options>,
         frames: 1_000_000_000,
         queries: 10_000_000_000,
         levels: 10_000,
+        pairs: 10_000_000,
+        rest: 0,
+        lattice: None,
         minutes: 0,
         threads: 2,
         seed: 1,
@@ -65,6 +77,9 @@ pub fn parse(mut words: impl Iterator<Item = String>) -> Result<Option<Options>,
             "--frames" => o.frames = count()?,
             "--queries" => o.queries = count()?,
             "--levels" => o.levels = count()?,
+            "--pairs" => o.pairs = count()?,
+            "--rest" => o.rest = count()?,
+            "--lattice" => o.lattice = Some(value),
             "--minutes" => o.minutes = count()?,
             "--threads" => o.threads = count()?.max(1),
             "--seed" => o.seed = count()?,

@@ -1,5 +1,6 @@
 //! The progress lines, and the table at the end.
 
+use crate::convex;
 use crate::frames::WORLDS;
 use crate::options::Options;
 use crate::queries::{CLASSES, ROWS, pair_of};
@@ -7,6 +8,7 @@ use crate::state::{State, name};
 
 pub fn names() {
     (0..ROWS).for_each(|row| println!("{}", name(row)));
+    (0..convex::ROWS).for_each(|row| println!("{}", convex::name(row)));
     WORLDS.iter().for_each(|world| println!("{}", world.0));
     println!("tmx");
 }
@@ -21,6 +23,7 @@ fn clock(seconds: f64) -> String {
 pub fn progress(options: &Options, before: &State, now: &State, seconds: f64) {
     let goals = [
         ("queries", before.answers(), now.answers(), options.queries),
+        ("pairs", before.all_pairs(), now.all_pairs(), options.pairs * convex::PAIRS as u64),
         ("frames", before.all_frames(), now.all_frames(), options.frames),
         ("levels", before.next_level, now.next_level, options.levels),
     ];
@@ -63,6 +66,7 @@ pub fn table(state: &State) {
     for (k, class) in CLASSES.iter().enumerate() {
         println!("| {} | {} |", class.0, sum(&mut (k..ROWS).step_by(CLASSES.len())));
     }
+    pairs(state);
     println!("\n| world | frames | hits | of circles | at rest | all iterations |\n|---|---|---|---|---|---|");
     let mut all = state.levels;
     for (world, tally) in WORLDS.iter().zip(&state.frames) {
@@ -71,6 +75,33 @@ pub fn table(state: &State) {
     }
     println!("| {} TMX levels | {} |", state.next_level, state.levels.numbers().map(|n| n.to_string()).join(" | "));
     println!("| all | {} |", all.numbers().map(|n| n.to_string()).join(" | "));
+}
+
+/// The pairs of all six shapes.
+fn pairs(state: &State) {
+    let classes = convex::CLASSES.len();
+    let line = |name: &str, rows: &mut dyn Iterator<Item = usize>| {
+        let mut all = crate::queries::Tally::default();
+        rows.for_each(|row| all.add(&state.pairs[row]));
+        let apart = all.pairs - all.overlaps - all.touches;
+        let numbers = [all.pairs, all.overlaps, all.touches, apart, all.answers, all.thorough];
+        println!("| {name} | {} |", numbers.map(|n| n.to_string()).join(" | "));
+    };
+    let head = |what| {
+        println!(
+            "\n| {what} | pairs | overlap | touch only | apart | answers | thorough |\n|---|---|---|---|---|---|---|"
+        );
+    };
+    head("pair of the six shapes");
+    for first in (0..convex::ROWS).step_by(classes) {
+        let (a, b) = convex::pair_of(first);
+        line(&format!("{a:?}-{b:?}"), &mut (first..first + classes));
+    }
+    line("all", &mut (0..convex::ROWS));
+    head("class");
+    for (k, class) in convex::CLASSES.iter().enumerate() {
+        line(class.0, &mut (k..convex::ROWS).step_by(classes));
+    }
 }
 
 #[cfg(test)]

@@ -1,12 +1,16 @@
 //! Checks the fast judge before the run: by big rationals and other means, on samples of every
 //! class.
 
+use crate::convex;
 use crate::queries::{ROWS, samples};
 use crate::quick::Pair;
 use crate::state::name;
+use tilesat_judge::convex::shape::{Shape, sum};
 use tilesat_judge::num_rational::BigRational;
 use tilesat_judge::oracle::figure::Figure;
+use tilesat_judge::oracle::measure::Measure;
 use tilesat_judge::oracle::rational;
+use tilesat_judge::oracle::sum::Place;
 
 /// Pairs per row.
 const EACH: usize = 40;
@@ -26,7 +30,37 @@ pub fn judge(seed: u64) -> Result<(), String> {
             }
         }
     }
+    for row in 0..convex::ROWS {
+        let all = convex::samples(row, seed, EACH);
+        all.iter().try_for_each(|(a, b)| agree(a, b).map_err(|pair| format!("{}: {pair}", convex::name(row))))?;
+    }
     Ok(())
+}
+
+/// The explicit sum and exact fractions, in 256 bits. The fast judge must give the same answers,
+/// and accept the same one number.
+pub fn agree(a: &Shape, b: &Shape) -> Result<(), String> {
+    let (fast, slow) = (Pair::new(a, b), Measure::of(&sum(a, b)));
+    let (overlap, touch) = (slow.overlaps(), slow.touches());
+    let (root, radius) = (|n: i64| slow.square.root_minus(n), slow.radius);
+    // radius + root <= n, radius - root <= n, root - radius < n + 1
+    let enough = |n: i64| match (overlap, slow.place) {
+        (true, Place::Inside) => n >= radius && root(n - radius) <= 0,
+        (true, _) => root(radius - n) >= 0,
+        _ => touch || root(n + 1 + radius) < 0,
+    };
+    let quick = |n: i64| if overlap { fast.depth_is(n) } else { fast.distance_is(n) };
+    let (mut low, mut high) = (-1i64, 1i64 << 32);
+    while high - low > 1 {
+        let n = i64::midpoint(low, high);
+        if enough(n) { high = n } else { low = n }
+    }
+    let right = quick(high) && !quick(high - 1) && !quick(high + 1);
+    if (fast.overlaps(), fast.touches(), right) == (overlap, touch, true) {
+        Ok(())
+    } else {
+        Err(format!("the fast judge is wrong: {a:?} {b:?}, {overlap} {touch} {high}"))
+    }
 }
 
 /// The depth rounded up, or the distance rounded down.

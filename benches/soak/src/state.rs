@@ -1,5 +1,6 @@
 //! The progress of a long run, in a small text file from which a later run continues.
 
+use crate::convex;
 use crate::frames::{self, WORLDS};
 use crate::queries::{self, ROWS, class_of, pair_of};
 use std::fmt::Write;
@@ -12,16 +13,19 @@ pub struct State {
     /// Numbers of the next batches of each row.
     pub next_queries: Vec<u64>,
     pub next_frames: Vec<u64>,
+    pub next_pairs: Vec<u64>,
     /// The number of the next level, which is also the number of levels done.
     pub next_level: u64,
     pub queries: Vec<queries::Tally>,
+    /// Pairs of all six shapes.
+    pub pairs: Vec<queries::Tally>,
     pub frames: Vec<frames::Tally>,
     /// Frames in levels that were read from files.
     pub levels: frames::Tally,
 }
 
 /// The first line. It tells this program's counters from another's.
-const HEAD: &str = "tilesat-soak 1";
+const HEAD: &str = "tilesat-soak 2";
 
 impl State {
     pub fn new(seed: u64) -> Self {
@@ -30,8 +34,10 @@ impl State {
             seconds: 0.0,
             next_queries: vec![0; ROWS],
             next_frames: vec![0; WORLDS.len()],
+            next_pairs: vec![0; convex::ROWS],
             next_level: 0,
             queries: vec![queries::Tally::default(); ROWS],
+            pairs: vec![queries::Tally::default(); convex::ROWS],
             frames: vec![frames::Tally::default(); WORLDS.len()],
             levels: frames::Tally::default(),
         }
@@ -39,6 +45,10 @@ impl State {
 
     pub fn answers(&self) -> u64 {
         self.queries.iter().map(|t| t.answers).sum()
+    }
+
+    pub fn all_pairs(&self) -> u64 {
+        self.pairs.iter().map(|t| t.pairs).sum()
     }
 
     pub fn all_frames(&self) -> u64 {
@@ -57,6 +67,9 @@ impl State {
         }
         for (row, tally) in self.queries.iter().enumerate() {
             line(&mut out, &format!("queries {} {}", name(row), self.next_queries[row]), &tally.numbers());
+        }
+        for (row, tally) in self.pairs.iter().enumerate() {
+            line(&mut out, &format!("pairs {} {}", convex::name(row), self.next_pairs[row]), &tally.numbers());
         }
         out.push('\n');
         out
@@ -80,6 +93,11 @@ impl State {
             let list = numbers(after(&format!("queries {} ", name(row)))?)?;
             let (next, tally) = list.split_first()?;
             (state.next_queries[row], state.queries[row]) = (*next, queries::Tally::from(tally)?);
+        }
+        for row in 0..convex::ROWS {
+            let list = numbers(after(&format!("pairs {} ", convex::name(row)))?)?;
+            let (next, tally) = list.split_first()?;
+            (state.next_pairs[row], state.pairs[row]) = (*next, queries::Tally::from(tally)?);
         }
         Some(state)
     }

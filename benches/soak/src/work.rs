@@ -1,5 +1,6 @@
 //! Chooses the next batches. Each thread takes one at a time.
 
+use crate::convex::{self, PAIRS};
 use crate::frames::{self, WORLDS};
 use crate::options::Options;
 use crate::queries::{self, ROWS};
@@ -15,6 +16,7 @@ const BATCHES: u64 = 4;
 #[derive(Clone, Copy, Debug)]
 pub enum Job {
     Queries(usize, u64),
+    Pairs(usize, u64),
     Frames(usize, u64),
     Level(u64),
 }
@@ -22,12 +24,14 @@ pub enum Job {
 #[derive(Clone, Copy, Debug)]
 enum Done {
     Queries(usize, queries::Tally),
+    Pairs(usize, queries::Tally),
     Frames(usize, frames::Tally),
     Level(frames::Tally),
 }
 
 pub struct Plan {
     query_rows: Vec<usize>,
+    pair_rows: Vec<usize>,
     world_rows: Vec<usize>,
     levels: bool,
     scratch: PathBuf,
@@ -38,6 +42,7 @@ impl Plan {
         let chosen = |name: &str| options.classes.is_empty() || options.classes.iter().any(|part| name.contains(part));
         Self {
             query_rows: (0..ROWS).filter(|&row| chosen(&name(row))).collect(),
+            pair_rows: (0..convex::ROWS).filter(|&row| chosen(&convex::name(row))).collect(),
             world_rows: (0..WORLDS.len()).filter(|&row| chosen(WORLDS[row].0)).collect(),
             levels: chosen("tmx"),
             scratch: scratch.to_owned(),
@@ -53,6 +58,7 @@ impl Plan {
             none(self.query_rows.is_empty(), share(state.answers(), options.queries)),
             none(self.world_rows.is_empty(), share(state.all_frames(), options.frames)),
             none(!self.levels, share(state.next_level, options.levels)),
+            none(self.pair_rows.is_empty(), share(state.all_pairs(), options.pairs * PAIRS as u64)),
         ];
         let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
         if least == f64::INFINITY {
@@ -68,6 +74,10 @@ impl Plan {
                     let row = *self.world_rows.iter().min_by_key(|&&row| state.next_frames[row])?;
                     state.next_frames[row] += 1;
                     Job::Frames(row, state.next_frames[row] - 1)
+                } else if shares[3] == least {
+                    let row = *self.pair_rows.iter().min_by_key(|&&row| state.next_pairs[row])?;
+                    state.next_pairs[row] += 1;
+                    Job::Pairs(row, state.next_pairs[row] - 1)
                 } else {
                     state.next_level += 1;
                     Job::Level(state.next_level - 1)
@@ -97,6 +107,7 @@ impl Plan {
         for done in results {
             match done? {
                 Done::Queries(row, tally) => state.queries[row].add(&tally),
+                Done::Pairs(row, tally) => state.pairs[row].add(&tally),
                 Done::Frames(row, tally) => state.frames[row].add(&tally),
                 Done::Level(tally) => state.levels.add(&tally),
             }
@@ -107,6 +118,7 @@ impl Plan {
     fn one(&self, job: Job, seed: u64) -> Done {
         match job {
             Job::Queries(row, number) => Done::Queries(row, queries::batch(row, seed, number)),
+            Job::Pairs(row, number) => Done::Pairs(row, convex::batch(row, seed, number)),
             Job::Frames(row, number) => Done::Frames(row, frames::batch(row, seed, number)),
             Job::Level(number) => Done::Level(tmx::level(&self.scratch, seed, number)),
         }
