@@ -1,9 +1,9 @@
-//! Balls, and capsules that lie or stand, come to rest on two tips or arcs (P17), under gravities of
-//! up to two of their radii per frame.
+//! Balls, and capsules that lie or stand, come to rest on two tips or arcs (P17), under gravities
+//! of up to two of their radii per frame.
 //!
 //! In one frame of such a gravity a body leaves the first of the two by more than roundings, before
-//! it meets the second one. What throws it up again is less than what gravity takes back in the next
-//! frame, so it would hop on the spot for ever.
+//! it meets the second one. What throws it up again is less than what gravity takes back in the
+//! next frame, so it would hop on the spot for ever.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
