@@ -150,16 +150,7 @@
 //! at most 437 000, most of them the mover's. 849 000 if all lie in nooks of slopes and none may
 //! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for an
 //! eighteenth of that: 47 000. Stack: 3.9 KB for such a step.
-//!
-//! Flash and the most stack that a step takes, with a `SortSweep`, at opt-level "s":
-//!
-//! | scene | flash, KB | stack of a step, bytes | of a [ride](Scene::ride) |
-//! |---|--:|--:|--:|
-//! | boxes and circles | 73 | 5944 | |
-//! | the same, with [`Solid`](crate::Solid) lifts | 88 | 6160 | 3592 |
-//! | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 116 | 6152 | 4336 |
-//! | [`WithCapsules`] | | 6064 | 3680 |
-//! | [`AnyShape`](crate::shape::AnyShape) | | 6860 | 4568 |
+//! [`Scene`] has flash and stack of more kinds of scenes.
 //!
 //! # Games in a scene
 //!

@@ -16,7 +16,8 @@ use crate::num::{Fx, MOTION, check_motion};
 /// was slow. (At least that is the gravity of two steps, at most a unit.) Without this, bodies in a
 /// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
 /// into the level or into another body. A step in the air does not count, and does not end the
-/// rest.
+/// rest. In its last step of rest something must hold it from below: a ball that rolls off a corner
+/// stays awake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
@@ -74,6 +75,17 @@ impl SleepDifference {
 /// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 164 bytes per
 /// body, plus the broad phase. A scene may also [remember](Self::remembering) how bodies lie.
 /// `M` says for how many; without it, none.
+///
+/// Flash and the most stack that a step takes, with a `SortSweep`, at opt-level "s":
+///
+/// | scene | flash, KB | stack of a step, bytes | of a [ride](Self::ride) |
+/// |---|--:|--:|--:|
+/// | boxes and circles | 73 | 5944 | |
+/// | the same, with [`Solid`](crate::Solid) lifts | 88 | 6160 | 3592 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 116 | 6152 | 4336 |
+/// | [`WithCapsules`](super::WithCapsules) | | 6064 | 3680 |
+/// | [`AnyShape`](crate::shape::AnyShape) | | 6860 | 4568 |
+///
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
 pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {

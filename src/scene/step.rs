@@ -232,7 +232,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.tell_woken(awake);
         }
         if self.travel(view, gravity, &mut stepped, replies, each) {
-            self.fall_asleep(&mut stepped);
+            self.fall_asleep(&Trip::new(view, gravity, self.sleep(), N), &mut stepped);
         }
         Ok(stepped)
     }
@@ -356,8 +356,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         calm && steps != 0
     }
 
-    /// Bodies that touch, directly or not, sleep together or not at all.
-    fn fall_asleep(&mut self, stepped: &mut Stepped) {
+    /// Bodies that touch, directly or not, sleep together or not at all. None sleeps where nothing
+    /// holds it: one that rolls off a corner ends each step in the air.
+    fn fall_asleep<V: View<S>>(&mut self, trip: &Trip<'_, V>, stepped: &mut Stepped) {
         let Sleep { steps, .. } = self.sleep();
         let slots = &mut self.slots;
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
@@ -372,6 +373,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {
                 slot.tally.hits = slot.tally.hits.min(quiet.into());
+            }
+        }
+        for handle in &*awake {
+            let root = usize::from(root(slots, handle.slot() as u16));
+            let sleeps = slots.get(root).is_some_and(|slot| slot.tally.hits >= u16::from(steps));
+            if sleeps && !trip.holds(slots, &self.near, *handle) {
+                if let Some(slot) = slots.get_mut(root) {
+                    slot.tally.hits = 0;
+                }
             }
         }
         let mut left = 0;

@@ -4,13 +4,19 @@ use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
 use super::memory::{Causes, Made, Place, Rest, Start, keep, known, note, rest_mut};
+use super::met::{may_meet, senses};
 use super::view::{Sliding, View};
 use super::way::{BodyWay, Drift, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
-use crate::broad::{BroadPhase, Handle};
+use crate::broad::{BroadPhase, Handle, Keyed};
+use crate::filter::Filter;
 use crate::motion::{Body, Hit, Moved, Mover, Response, Responses, Surface};
-use crate::num::{Ratio, Vec2};
+use crate::num::{Fx, Ratio, Vec2};
 use crate::world::World;
+
+/// How far below a body that sleeps its support is at most, as in
+/// [`Mover::supported`](crate::Mover::supported).
+const NEAR: Fx = Fx::from_bits(8);
 
 /// The data that all ways through the level share.
 pub(super) struct Trip<'a, V> {
@@ -200,6 +206,35 @@ impl<V> Trip<'_, V> {
         V: View<S>,
     {
         body.shape.visit(Slide(self, (handle, body), by))
+    }
+
+    /// Whether a body that gravity moves would run into the level or another body at once.
+    #[inline(never)]
+    pub(super) fn holds<S: BodyShape>(
+        &self,
+        slots: &[Slot<S>],
+        near: &impl BroadPhase<Tag = Keyed<Filter>>,
+        handle: Handle,
+    ) -> bool
+    where
+        V: View<S>,
+    {
+        let Some(slot) = slots.get(handle.slot()) else { return true };
+        let weight = slot.body.weight(self.gravity);
+        if weight == Vec2::ZERO || slot.way.is_held() {
+            return true;
+        }
+        let down = toward(weight).unit().scaled(NEAR);
+        // So is a body in the solid.
+        if self.touch(&slot.body, down).map_or(true, |touched| touched.hit.is_some()) {
+            return true;
+        }
+        let (lower, mut held) = (slot.body.shape.shifted(down), false);
+        near.in_region(&lower.aabb(), |other| {
+            let Some(it) = slots.get(other.slot()).filter(|_| other != handle) else { return };
+            held |= !senses(slot, it) && may_meet(slot, it) && lower.touches(&it.body.shape);
+        });
+        held
     }
 
     /// A body has made a straight way.

@@ -2,6 +2,7 @@
 //! last.
 
 use tilesat::broad::{PairEvent, PairEvents, SortSweep};
+use tilesat::prelude::*;
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Sleep};
 use tilesat::shape::AnyShape;
 use tilesat::{
@@ -207,4 +208,46 @@ fn bodies_without_bounce_rest_in_a_nook() {
         }
     }
     assert_eq!(rests, 100);
+}
+
+/// A ball that rolls off a corner, of a tile or of a body, ends each of its steps in the air. It
+/// does not fall asleep there.
+#[test]
+fn what_sleeps_at_a_corner_touches_it() {
+    let (mut slept, mut fell) = (0, 0);
+    for of_tile in [true, false] {
+        let rows = if of_tile { ["..........", "...####..."] } else { [".........."; 2] };
+        let rows = format!("..........\n..........\n{}\n{}\n", rows[1], rows[0]);
+        let level = TileMap::from_ascii(&rows, &KINDS).unwrap();
+        let ledge = bx(48, 32, 64, 16);
+        for radius in [20_000, 65_536, 150_000, 262_144, 500_000] {
+            for gy in [655, 3_000, 6_554, 16_384, 32_768] {
+                for k in 0..200 {
+                    let mut scene = S::new(SortSweep::new());
+                    if !of_tile {
+                        scene.insert(&SceneBody::fixed(ledge, 2)).unwrap();
+                    }
+                    let at = Vec2::from_raw((112 << 16) + 3 * k * k - 20_000, (32 << 16) - radius - 40_000);
+                    let ball = Circle::new(at, Fx::from_bits(radius)).unwrap();
+                    let ball = scene.insert(&SceneBody::new(ball, 1)).unwrap();
+                    let at = |scene: &S| scene.body(ball).unwrap().shape.position();
+                    let mut steps = 0;
+                    while scene.is_awake(ball).unwrap() && at(&scene).y < Fx::from_num(100) {
+                        scene.step(&level, Vec2::from_raw(0, gy), |_| {}).unwrap();
+                        steps += 1;
+                        assert!(steps < 3_000, "{:?}", at(&scene));
+                    }
+                    if scene.is_awake(ball).unwrap() {
+                        fell += 1;
+                        continue;
+                    }
+                    let larger = Circle::new(at(&scene), Fx::from_bits(radius + 8)).unwrap();
+                    let touches = if of_tile { level.touches(&larger) } else { larger.touches(&ledge) };
+                    assert!(touches, "{of_tile}: {radius} by {gy}, asleep at {:?}", at(&scene));
+                    slept += 1;
+                }
+            }
+        }
+    }
+    assert!(slept > 1_000 && fell > 1_000, "{slept} sleep, {fell} fall");
 }
