@@ -87,8 +87,9 @@ impl<P: Copy> PairEvent<P> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Mark {
-    /// It came this frame and was not there before.
-    New,
+    /// It came this frame and was not there before. From 1 on, and no entry is zero: a static list
+    /// without entries takes no flash.
+    New = 1,
     /// It was there before and did not come: not yet, or, where the frame is over, not at all.
     Old,
     /// It was there before, and is.
@@ -161,8 +162,8 @@ pub struct PairEvents<const M: usize, P = Pair> {
 pub(super) struct FrameState {
     fed: u32,
     lost: bool,
-    /// Nothing was fed since it ended.
-    over: bool,
+    /// Something was fed since the last one ended.
+    begun: bool,
 }
 
 impl<const M: usize, P: Copy + Ord> Default for PairEvents<M, P> {
@@ -175,7 +176,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [Entry(None); M], frame: FrameState { fed: 0, lost: false, over: true } }
+        Self { entries: [Entry(None); M], frame: FrameState { fed: 0, lost: false, begun: false } }
     }
 
     /// Reports that a pair is there in the current frame.
@@ -200,7 +201,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// The fate of each pair in the frame that ended last, in ascending order of pairs; empty once
     /// you have fed the next frame.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
-        let told: &[Entry<P, Mark>] = if self.frame.over { &self.entries } else { &[] };
+        let told: &[Entry<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
         told.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
             Mark::New => PairEvent::Begin(pair),
             Mark::Old => PairEvent::End(pair),
@@ -211,9 +212,9 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// Discards everything fed since the last `finish`, for an enumeration that has to begin again
     /// ([`Changed`](crate::broad::PairsError::Changed)).
     pub fn cancel(&mut self) {
-        if !self.frame.over {
+        if self.frame.begun {
             retain(&mut self.entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::New);
-            self.frame = FrameState { fed: 0, lost: false, over: false };
+            self.frame = FrameState { fed: 0, lost: false, begun: true };
         }
     }
 
@@ -230,15 +231,15 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     }
 
     fn was_there(&self, mark: Mark) -> bool {
-        mark != if self.frame.over { Mark::Old } else { Mark::New }
+        mark != if self.frame.begun { Mark::New } else { Mark::Old }
     }
 }
 
-/// Begins the next frame, if the last one is over: drops what ended.
+/// Begins the next frame, unless it has begun: drops what ended.
 fn begin<P: Copy>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState) {
-    if frame.over {
+    if !frame.begun {
         retain(entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::Old);
-        *frame = FrameState { fed: 0, lost: false, over: false };
+        *frame = FrameState { fed: 0, lost: false, begun: true };
     }
 }
 
@@ -273,7 +274,7 @@ fn finish<P: Copy>(
     mut held: impl FnMut(&P) -> bool,
 ) -> Result<(), Truncated> {
     begin(entries, frame);
-    frame.over = true;
+    frame.begun = false;
     let mut kept = 0;
     for (pair, mark) in entries.iter_mut().filter_map(|entry| entry.0.as_mut()) {
         if *mark != Mark::Old {
@@ -291,7 +292,7 @@ fn finish<P: Copy>(
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ignore {
     /// In the next frame in which it comes, then no more.
-    Once,
+    Once = 1, // as in `Mark`
     /// Until the first frame in which the pair did not come. The frame in which you set it does not
     /// count: a bullet that starts within its shooter.
     UntilApart,
@@ -338,8 +339,8 @@ pub struct Exceptions<const M: usize> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Term {
     ignore: Ignore,
-    /// In the frame under way.
-    came: bool,
+    /// `Both` if it came in the frame under way, else `Old`.
+    pub(super) mark: Mark,
 }
 
 /// One name for the two orders of a pair; broad phases order by key, which may change.
@@ -367,7 +368,8 @@ impl<const M: usize> Exceptions<M> {
     /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed
     /// bodies make room in [`finish`](Self::finish).
     pub fn ignore(&mut self, a: Handle, b: Handle, ignore: Ignore) -> Result<(), BroadError> {
-        put(&mut self.entries, sorted(a, b), Term { ignore, came: ignore == Ignore::UntilApart })
+        let mark = if ignore == Ignore::UntilApart { Mark::Both } else { Mark::Old };
+        put(&mut self.entries, sorted(a, b), Term { ignore, mark })
     }
 
     /// No longer ignores a pair, if it was ignored.
@@ -409,7 +411,7 @@ fn passes(entries: &mut [Entry<Pair, Term>], pair: Pair) -> bool {
     let pair = sorted(pair.a, pair.b);
     match known(entries, place(entries, &pair), &pair) {
         Some(term) => {
-            term.came = true;
+            term.mark = Mark::Both;
             false
         }
         None => true,
@@ -436,7 +438,7 @@ fn expire(
     mut held: impl FnMut(&Pair) -> bool,
 ) {
     retain(entries, |pair, term| {
-        let came = core::mem::replace(&mut term.came, false);
+        let came = core::mem::replace(&mut term.mark, Mark::Old) == Mark::Both;
         let lasts = match term.ignore {
             Ignore::Once => !came,
             Ignore::UntilApart => came || held(pair),

@@ -27,7 +27,6 @@ mod turns;
 mod vec2;
 mod wide;
 
-use crate::error::{Quantity, RangeError};
 pub use direction::{Axis, UnitVec2};
 pub(crate) use direction::{Raw, on_circle, scaled, toward, unit_by, unit_ceil};
 pub(crate) use inverse_root::InverseRoot;
@@ -36,7 +35,8 @@ pub(crate) use part::fraction;
 pub use part::{Ratio, Toi};
 pub use quotient::{isqrt64, isqrt64_ceil, mul_div, mul_div_wide, recip, rsqrt};
 pub(crate) use quotient::{leading_zeros32, leading_zeros64, root128_down, root128_up};
-pub use vec2::Vec2;
+pub use vec2::{DOMAIN, MOTION, Vec2};
+pub(crate) use vec2::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, sqr_signed, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 
@@ -99,43 +99,4 @@ macro_rules! fx {
             "fx! takes one literal, as in fx!(0.25); for a variable, use Fx::from (an i16) or Fx::checked_from_num"
         )
     };
-}
-
-/// Every coordinate, radius and half extent has a raw absolute value below this, 2^29: 8192 units
-/// in 16.16.
-///
-/// Differences then need 31 bits, products of differences 62, and every predicate fits a signed
-/// 64-bit or one unsigned 128-bit comparison.
-pub const DOMAIN: i32 = 1 << 29;
-
-/// A motion's components and a moving body's extents stay below this raw value, 2^28: 4096 units in
-/// 16.16.
-pub const MOTION: i32 = 1 << 28;
-
-pub(crate) const fn check_coordinate(v: Vec2) -> Result<(), RangeError> {
-    match check(v.x, -DOMAIN, DOMAIN, Quantity::X) {
-        Ok(()) => check(v.y, -DOMAIN, DOMAIN, Quantity::Y),
-        bad => bad,
-    }
-}
-
-pub(crate) const fn check_radius(r: Fx) -> Result<(), RangeError> {
-    check(r, -1, DOMAIN, Quantity::Radius)
-}
-
-pub(crate) const fn check_length(length: Fx) -> Result<(), RangeError> {
-    check(length, -1, DOMAIN, Quantity::Length)
-}
-
-pub(crate) const fn check_motion(v: Vec2, limit: i32) -> Result<(), RangeError> {
-    match check(v.x, -limit, limit, Quantity::MotionX) {
-        Ok(()) => check(v.y, -limit, limit, Quantity::MotionY),
-        bad => bad,
-    }
-}
-
-/// Refuses values outside the open interval.
-const fn check(v: Fx, above: i32, below: i32, what: Quantity) -> Result<(), RangeError> {
-    let value = v.to_bits();
-    if above < value && value < below { Ok(()) } else { Err(RangeError { what, value }) }
 }

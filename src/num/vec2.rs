@@ -1,8 +1,8 @@
-//! Vectors.
+//! Vectors, and the range of coordinates that shapes and levels accept. Inside that domain no
+//! query can wrap.
 
 use super::{Fx, imul, mul_div, umul};
 use crate::error::{Quantity, RangeError};
-use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A position or displacement in units.
@@ -75,8 +75,7 @@ impl Vec2 {
     /// Exact below 256 units: an `f32` has 24 bits.
     ///
     /// ```
-    /// use tilesat::Vec2;
-    /// assert_eq!(Vec2::from_ints(3, -4).to_f32(), (3.0, -4.0));
+    /// assert_eq!(tilesat::Vec2::from_ints(3, -4).to_f32(), (3.0, -4.0));
     /// ```
     #[must_use]
     pub fn to_f32(self) -> (f32, f32) {
@@ -347,17 +346,14 @@ impl Neg for Vec2 {
 /// Width, precision and sign are those of each component, as with a tuple.
 ///
 /// ```
-/// use tilesat::{Vec2, fx};
-/// let v = Vec2::new(fx!(1.5), fx!(-2));
-/// assert_eq!(format!("{v}, {v:.2}"), "(1.5, -2), (1.50, -2.00)");
-/// assert_eq!(format!("{v:6.1}"), "(   1.5,   -2.0)"); // columns
+/// let v = tilesat::Vec2::from_ints(1, -2);
+/// assert_eq!(format!("{v}, {v:.2}, {v:4.1}"), "(1, -2), (1.00, -2.00), ( 1.0, -2.0)");
 /// ```
-impl fmt::Display for Vec2 {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("(")?;
-        self.x.fmt(f)?;
-        f.write_str(", ")?;
-        self.y.fmt(f)?;
+impl core::fmt::Display for Vec2 {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        for (before, component) in [("(", self.x), (", ", self.y)] {
+            f.write_str(before).and_then(|()| component.fmt(f))?;
+        }
         f.write_str(")")
     }
 }
@@ -412,4 +408,43 @@ impl From<Vec2> for [Fx; 2] {
     fn from(v: Vec2) -> Self {
         [v.x, v.y]
     }
+}
+
+/// Every coordinate, radius and half extent has a raw absolute value below this, 2^29: 8192 units
+/// in 16.16.
+///
+/// Differences then need 31 bits, products of differences 62, and every predicate fits a signed
+/// 64-bit or one unsigned 128-bit comparison.
+pub const DOMAIN: i32 = 1 << 29;
+
+/// A motion's components and a moving body's extents stay below this raw value, 2^28: 4096 units in
+/// 16.16.
+pub const MOTION: i32 = 1 << 28;
+
+pub(crate) const fn check_coordinate(v: Vec2) -> Result<(), RangeError> {
+    match check(v.x, -DOMAIN, DOMAIN, Quantity::X) {
+        Ok(()) => check(v.y, -DOMAIN, DOMAIN, Quantity::Y),
+        bad => bad,
+    }
+}
+
+pub(crate) const fn check_radius(r: Fx) -> Result<(), RangeError> {
+    check(r, -1, DOMAIN, Quantity::Radius)
+}
+
+pub(crate) const fn check_length(length: Fx) -> Result<(), RangeError> {
+    check(length, -1, DOMAIN, Quantity::Length)
+}
+
+pub(crate) const fn check_motion(v: Vec2, limit: i32) -> Result<(), RangeError> {
+    match check(v.x, -limit, limit, Quantity::MotionX) {
+        Ok(()) => check(v.y, -limit, limit, Quantity::MotionY),
+        bad => bad,
+    }
+}
+
+/// Refuses values outside the open interval.
+const fn check(v: Fx, above: i32, below: i32, what: Quantity) -> Result<(), RangeError> {
+    let value = v.to_bits();
+    if above < value && value < below { Ok(()) } else { Err(RangeError { what, value }) }
 }

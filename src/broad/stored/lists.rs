@@ -54,8 +54,9 @@ impl<const M: usize> Form<Exceptions<M>> for Ignored<M> {
     }
 
     fn check(self) -> Result<Exceptions<M>, Wrong> {
-        for (at, (pair, _)) in self.pairs.iter().enumerate() {
+        for (at, (pair, term)) in self.pairs.iter().enumerate() {
             ensure(sorted(pair.a, pair.b) == *pair, at, "the smaller handle of a pair comes first")?;
+            ensure(term.mark != Mark::New, at, "a pair that is ignored is not new")?;
         }
         Ok(Exceptions { entries: entries(&self.pairs)? })
     }

@@ -78,6 +78,7 @@ impl<B> Game<B> {
 impl<B: BroadPhase<Tag = Filter>> Game<B> {
     /// Puts all bodies of a new game at their start.
     pub fn start(&mut self) {
+        self.tally.hash = tally::BASIS;
         for (post, (kind, at, course)) in self.posts.iter_mut().zip(level::posts()) {
             (post.kind, post.at, post.course) = (kind, at, course);
         }

@@ -34,7 +34,8 @@ pub struct Tally {
 
 /// FNV-1a.
 const PRIME: u32 = 0x0100_0193;
-const BASIS: u32 = 0x811c_9dc5;
+/// The hash of nothing, from a game's start on.
+pub(super) const BASIS: u32 = 0x811c_9dc5;
 
 fn fold(hash: u32, word: i32) -> u32 {
     word.to_le_bytes().iter().fold(hash, |hash, &byte| (hash ^ u32::from(byte)).wrapping_mul(PRIME))
@@ -57,7 +58,7 @@ impl Tally {
         crowded: 0,
         refused: 0,
         most: 0,
-        hash: BASIS,
+        hash: 0,
     };
 
     pub(super) fn hash_event(&mut self, event: PairEvent) {
