@@ -362,8 +362,8 @@ measure_links() {
         ram=$(ram_of "$target/flash" static_levels)
         echo "$name|RAM|two static levels|$ram|0"
         ((ram == 0)) || { echo "run.sh: static levels take $ram B of RAM" >&2; exit 1; }
-        # Without bodies a static scene is all zero, and so is a game with its own lists: they have no
-        # image in flash.
+        # Without bodies a static scene is all zero, and so is a game with its own lists. They have
+        # no image in flash.
         for bin in scene_blocks scene_blocks_lifts scene_blocks_planks game_bullets; do
             image=$(image_of "$target/flash" "$bin")
             ((image == 0)) || { echo "run.sh: the static of $bin takes $image B of flash" >&2; exit 1; }
