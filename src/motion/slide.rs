@@ -138,7 +138,7 @@ impl<S: Law> Mover<S> {
                 run.before = run.v;
             }
             let alone = ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
-            kept = kept && (keeps || run.along.is_some_and(|plane| ways.keep(&plane)));
+            kept = kept && (keeps || run.along.is_some_and(|plane| ways.keep::<B>(&plane)));
             if kept || run.before == run.v {
                 break alone;
             }

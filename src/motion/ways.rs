@@ -377,9 +377,12 @@ impl Ways {
         self.list.iter()
     }
 
-    /// Whether the body still touches a plane that it has run along, if that is a face.
-    pub(super) fn keep(&self, plane: &Plane) -> bool {
-        !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along == Some(*plane))
+    /// Whether the body still touches a plane that it has run along, if that is a face. A box also
+    /// runs along a corner that touches its side.
+    pub(super) fn keep<B: Body>(&self, plane: &Plane) -> bool {
+        let side = !B::MEETS_CORNERS && !B::ANGULAR;
+        let is = |p: Plane| if side { p.normal == plane.normal } else { p == *plane };
+        !matches!(plane.bend, Bend::Flat | Bend::End) || self.iter().any(|way| way.along.is_some_and(is))
     }
 }
 

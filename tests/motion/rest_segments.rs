@@ -4,7 +4,7 @@
 //! A frame that returns its own body and velocity repeats for ever, see `motion_rest`. Mirrored
 //! twins run beside each.
 
-use tilesat::{Aabb, Axis, Circle, Fx, Mover, PathKind, SegmentMap, Vec2};
+use tilesat::{Aabb, Axis, Circle, Fx, Mover, Path, PathKind, SegmentMap, Vec2};
 use tilesat_judge::segments::{Body, P, Piece, Scene, Shape};
 use tilesat_judge::{Random, cases};
 
@@ -145,4 +145,38 @@ fn p17_rest_in_a_wedge_with_one_steep_side() {
         60,
         20_000,
     );
+}
+
+/// A box that runs into the nook between a slanted wall and the end of another one rests there. The
+/// end touches the middle of its side and has no face along it, but holds it as a face does.
+#[test]
+fn p17_box_between_a_slanted_wall_and_a_lone_end() {
+    let mut rests = 0;
+    for (run, rise) in [(9, 1), (7, 2), (3, 1), (2, 1), (5, 4)] {
+        for end in [(80, 81), (80, 96), (49, 90)] {
+            for (sx, sy) in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {
+                let at = |x: i32, y: i32| Vec2::from_raw(sx * x, sy * y);
+                let wall = |x: i32| at((48 + x) << 16, (74 << 16) + (x << 16) * rise / run);
+                let paths = [[wall(-43), wall(13)], [at(48 << 16, 80 << 16), at(end.0 << 16, end.1 << 16)]];
+                let paths = paths.each_ref().map(|path| Path::new(PathKind::Wall, path));
+                let mut bytes = vec![0; 1 << 13];
+                let used = SegmentMap::build_into(&paths, Fx::from_num(32), &mut bytes).unwrap();
+                let map = SegmentMap::from_bytes(&bytes[..used]).unwrap();
+                for speed in [9_000, 46_341, 69_512, 185_364] {
+                    let half = 4 << 16;
+                    let centre = at(34 << 16, 88 << 16).raw();
+                    let corner = |s: i32| Vec2::from_raw(centre.0 + s * half, centre.1 + s * half);
+                    let mut body = Aabb::new(corner(-1), corner(1)).unwrap();
+                    let mut last = body;
+                    for _ in 0..400 {
+                        last = body;
+                        body = Mover::new().move_and_slide(&map, &body, at(speed, -speed)).unwrap().body;
+                    }
+                    assert_eq!(body, last, "{run}:{rise}, {end:?}, {speed}, {sx} {sy}");
+                    rests += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(rests, 240);
 }
