@@ -79,6 +79,9 @@ impl fmt::Display for RangeError {
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
             }
+            Quantity::Direction => {
+                return write!(f, "a direction is needed: one of its two components must not be zero");
+            }
             Quantity::Area => "a moving body or solid with sides in any direction must have an area",
             Quantity::Rounding => {
                 "a solid with slanted sides, and one that turns, must be sharp; others have a radius as an AnyShape"

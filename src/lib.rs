@@ -1,13 +1,14 @@
 //! Exact, heap-free, fixed-point 2D collision for tile levels on microcontrollers and handheld
 //! consoles.
 //!
-//! A level is bytes in flash, one byte (or bit) per tile. Bodies are boxes, circles and capsules.
-//! You ask: do they overlap, how deep, and which way out? What does this ray see? Where does this
-//! body end up when it slides along the level? Every yes/no is exact, every rounding has a declared
-//! direction, every loop has a bound, and nothing panics. The crate needs no FPU, no heap and no
-//! 64-bit multiply.
+//! A level is bytes in flash, one byte (or bit) per tile. Bodies are boxes, circles, capsules,
+//! turned boxes and convex polygons. You ask: do they overlap, how deep, and which way out? What
+//! does this ray see? Where does this body end up when it slides along the level? Every yes/no is
+//! exact, every rounding has a declared direction, every loop has a bound, and nothing panics. The
+//! crate needs no FPU, no heap and no 64-bit multiply.
 //!
-//! It is not a physics engine: there are no joints, rotating bodies or forces.
+//! It is not a physics engine: there are no joints or forces, and bodies turn only where your game
+//! turns them.
 //!
 //! A platformer's hero is one type, [`Character`], and one call per frame:
 //!

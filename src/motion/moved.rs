@@ -16,8 +16,9 @@ pub struct Moved<B> {
     pub body: B,
     /// The velocity after the response. Pass it to the next call.
     pub velocity: Vec2,
-    /// The motion that was not made: the rest of a stopped body's motion, or the part that a body
-    /// in a tight place could not use in [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces.
+    /// The motion that was not made: the rest of a stopped body's motion, or what is left after
+    /// [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces, in a tight place or after as many
+    /// bounces.
     pub remaining: Vec2,
     /// The hits, in order.
     pub hits: Hits,

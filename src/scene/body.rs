@@ -52,7 +52,9 @@ pub struct SceneBody<S = Shape> {
     /// hardly moves.
     pub floats: bool,
     /// It meets others [on its whole way](super#fast-bodies), however slow it is: a crusher among
-    /// small things. A body that moves by more than half of its smaller side in a step always does.
+    /// small things, a hero, and everything that steers toward others. Bodies that press against
+    /// others in every step sink in without it. A body that moves by more than half of its smaller
+    /// side in a step always does.
     pub fast: bool,
 }
 
@@ -143,7 +145,7 @@ impl<S: BodyShape> SceneBody<S> {
 }
 
 /// The state of a slot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Mode {
     /// Unused.

@@ -45,7 +45,7 @@ impl Sleep {
 
 /// [`Sleep`] as its difference from the default, so that a static scene without bodies takes no
 /// flash: all its bits are zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct SleepDifference {
     still: i32,
     steps: u8,
@@ -204,6 +204,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Adds a body, awake, and wakes the bodies that it touches. A sensor wakes nobody.
+    ///
+    /// It does not know the level. A body that overlaps it stays there, and each step reports it as
+    /// [`Held`](super::SceneEvent::Held). Ask [`Shape::overlaps_level`] before, if that can be.
     ///
     /// # Errors
     /// [`Full`](BroadError::Full), the errors of the broad phase, and velocities that no step can

@@ -40,7 +40,7 @@ use crate::filter::Filter;
 /// assert_eq!(scene.snapshot(), after);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("save state", "rollback"))]
 pub struct Snapshot<B, const N: usize, S = Shape> {
     pub(crate) near: B,
@@ -52,7 +52,7 @@ pub struct Snapshot<B, const N: usize, S = Shape> {
 }
 
 /// The state that one slot carries from step to step. Its generation is in the broad phase.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Kept<S> {
     pub(super) body: SceneBody<S>,
     pub(super) mode: Mode,

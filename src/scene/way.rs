@@ -123,7 +123,7 @@ pub(super) fn later(from: Toi, part: Toi) -> Toi {
 /// Coarser steps do not do: of 512 raw a fast fall has many and a slow rise none, and a body in a
 /// heap that hops on one spot would seem to drift. Two times 12 bits leave a slot of a snapshot at
 /// 88 bytes, and so a snapshot of 64 bodies below 8 KB.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Drift([u8; 3]);
 
