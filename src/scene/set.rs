@@ -80,12 +80,11 @@ impl SleepDifference {
 ///
 /// | scene | flash, KB | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 73 | 5944 | |
-/// | the same, with [`Solid`](crate::Solid) lifts | 88 | 6160 | 3592 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 116 | 6152 | 4336 |
-/// | [`WithCapsules`](super::WithCapsules) | | 6064 | 3680 |
-/// | [`AnyShape`](crate::shape::AnyShape) | | 6860 | 4568 |
-///
+/// | boxes and circles | 74 | 5952 | |
+/// | the same, with [`Solid`](crate::Solid) lifts | 89 | 6200 | 3600 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 117 | 6192 | 4344 |
+/// | [`WithCapsules`](super::WithCapsules) | | 6088 | 3688 |
+/// | [`AnyShape`](crate::shape::AnyShape) | | 6868 | 4568 |
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
 pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
