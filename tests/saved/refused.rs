@@ -39,7 +39,7 @@ fn shapes_of_any_kind() {
     refused::<Circle>(&circles[1], "/centre/x/bits", json!(1), &["Circle", "X is out of range"]);
     refused::<Segment>(&segments[0], "/b/x/bits", json!(i32::MIN), &["Segment", "X is out of range"]);
     refused::<Capsule>(&capsules[0], "/radius/bits", json!(-5), &["Capsule", "Radius"]);
-    refused::<OrientedBox>(&turned[1], "/across/x/bits", json!(40_000), &["OrientedBox", "Direction"]);
+    refused::<OrientedBox>(&turned[1], "/across/x/bits", json!(40_000), &["OrientedBox", "direction"]);
     refused::<OrientedBox>(&turned[1], "/along/x/bits", json!(i32::MIN), &["OrientedBox", "HalfExtent"]);
     refused::<OrientedBox>(&turned[3], "/radius/bits", json!(-1), &["OrientedBox", "Radius"]);
     refused::<ConvexPolygon<5>>(
