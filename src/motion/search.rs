@@ -206,7 +206,7 @@ impl<'a, B: Body> Search<'a, B> {
     }
 
     #[inline]
-    fn find_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
+    pub(super) fn find_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
         if W::ROUND && self.may_meet_cusp(d) {
             self.meet_cusp(world, d, first);
         }
@@ -363,7 +363,7 @@ impl<B: Body> Search<'_, B> {
     ///   .......solid.....                                                 ......solid..
     /// ```
     #[inline(never)]
-    pub(super) fn meet_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
+    fn meet_cusp<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
         let bounds = self.body.bounds();
         let (lo, hi) = (bounds.lo(), bounds.hi());
         let front = Raw { x: if d.x > 0 { hi.x } else { lo.x }, y: if d.y > 0 { hi.y } else { lo.y } };
@@ -387,7 +387,7 @@ impl<B: Body> Search<'_, B> {
     }
 
     /// Whether the motion is along x or y and the body has no extent across it.
-    pub(super) fn may_meet_cusp(&self, d: Raw) -> bool {
+    fn may_meet_cusp(&self, d: Raw) -> bool {
         let bounds = self.body.bounds();
         (d.x == 0 && bounds.lo().x == bounds.hi().x) || (d.y == 0 && bounds.lo().y == bounds.hi().y)
     }

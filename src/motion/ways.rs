@@ -372,7 +372,6 @@ impl Ways {
         });
     }
 
-    /// They fill the first slots.
     pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
         self.list.iter()
     }

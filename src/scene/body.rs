@@ -122,17 +122,8 @@ impl<S: BodyShape> SceneBody<S> {
     }
 
     /// All zero: see [`Slot::FREE`].
-    const NOBODY: Self = Self {
-        shape: S::POINT,
-        velocity: Vec2::ZERO,
-        mass: None,
-        surface: Surface::SLICK,
-        responses: Responses::NONE,
-        filter: Filter::new(LayerMask::NONE, LayerMask::NONE),
-        key: 0,
-        floats: false,
-        fast: false,
-    };
+    const NOBODY: Self =
+        Self { mass: None, filter: Filter::new(LayerMask::NONE, LayerMask::NONE), ..Self::of_shape(S::POINT, 0) };
 
     /// The velocity that a step of gravity adds.
     pub(super) fn weight(&self, gravity: Vec2) -> Vec2 {

@@ -6,12 +6,12 @@ use super::meeting::toward;
 use super::memory::Place;
 use super::met::{around, may_meet, senses};
 use super::reply::Unasked;
-use super::view::Sliding;
+use super::view::{Sliding, sliding};
 use super::{Scene, SceneError, SceneFault};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::error::{Quantity, RangeError};
 use crate::filter::Filter;
-use crate::motion::{Body, Mover, MovingSolid, Responses, Ride, Surface};
+use crate::motion::{Body, Mover, MovingSolid, Ride};
 use crate::num::{Fx, MOTION, Vec2};
 use crate::query::Touches;
 use crate::world::{Joined, World};
@@ -172,9 +172,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         T::move_each(solids);
         let moved = T::level(solids);
-        // The mover of steps: another type of mover would link most of it once more.
-        let mover = mover.with_surface(Surface::SLICK).with_responses(Responses::NONE);
-        self.go_along(&mover, &Joined::new(level, &moved), &mut each);
+        self.go_along(&sliding(mover), &Joined::new(level, &moved), &mut each);
         Ok(())
     }
 

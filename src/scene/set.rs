@@ -81,8 +81,8 @@ impl SleepDifference {
 /// | scene | flash, KB | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
 /// | boxes and circles | 74 | 5952 | |
-/// | the same, with [`Solid`](crate::Solid) lifts | 89 | 6200 | 3600 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 117 | 6192 | 4344 |
+/// | the same, with [`Solid`](crate::Solid) lifts | 89 | 6208 | 3600 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 117 | 6200 | 4344 |
 /// | [`WithCapsules`](super::WithCapsules) | | 6088 | 3688 |
 /// | [`AnyShape`](crate::shape::AnyShape) | | 6868 | 4568 |
 #[derive(Clone, Copy, Debug)]

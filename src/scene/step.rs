@@ -231,8 +231,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
-        if self.travel(view, gravity, &mut stepped, replies, each) {
-            self.fall_asleep(&Trip::new(view, gravity, self.sleep(), N), &mut stepped);
+        let trip = Trip::new(view, gravity, self.sleep(), N);
+        if self.travel(&trip, &mut stepped, replies, each) {
+            self.fall_asleep(&trip, &mut stepped);
         }
         Ok(stepped)
     }
@@ -314,14 +315,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// has been quiet for long enough.
     fn travel<V: View<S>>(
         &mut self,
-        view: &V,
-        gravity: Vec2,
+        trip: &Trip<'_, V>,
         stepped: &mut Stepped,
         replies: &mut impl Replies,
         each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> bool {
         let Sleep { steps, .. } = self.sleep();
-        let trip = Trip::new(view, gravity, self.sleep(), N);
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
@@ -345,13 +344,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             }
         }
         if piled {
-            calm |= self.settle(&trip, stepped, replies, each);
+            calm |= self.settle(trip, stepped, replies, each);
         }
         if M > 0 {
-            self.find_idle(gravity);
+            self.find_idle(trip.gravity);
         }
         if fast {
-            calm |= self.sweep(&trip, stepped, replies, each);
+            calm |= self.sweep(trip, stepped, replies, each);
         }
         calm && steps != 0
     }

@@ -5,12 +5,12 @@ use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
 use super::memory::{Causes, Made, Place, Rest, Start, keep, known, note, rest_mut};
 use super::met::{may_meet, senses};
-use super::view::{Sliding, View};
+use super::view::{Sliding, View, sliding};
 use super::way::{BodyWay, Drift, Pace, size};
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
-use crate::motion::{Body, Hit, Moved, Mover, Response, Responses, Surface};
+use crate::motion::{Body, Hit, Moved, Mover, Response, Surface};
 use crate::num::{Fx, Ratio, Vec2};
 use crate::world::World;
 
@@ -30,8 +30,8 @@ pub(super) struct Trip<'a, V> {
 
 impl<'a, V> Trip<'a, V> {
     pub(super) fn new(view: &'a V, gravity: Vec2, sleep: Sleep, ways: usize) -> Self {
-        let mover = Mover::platformer(toward(gravity).reversed()).with_surface(Surface::SLICK);
-        Self { view, mover: mover.with_responses(Responses::NONE), gravity, sleep, ways }
+        let mover = sliding(Mover::platformer(toward(gravity).reversed()));
+        Self { view, mover, gravity, sleep, ways }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::SceneBody;
 use super::kernel::BodyShape;
 use crate::broad::Handle;
-use crate::motion::{Body, ByFlags, MoveError, Moved, Mover, Surface};
+use crate::motion::{Body, ByFlags, MoveError, Moved, Mover, Responses, Surface};
 use crate::num::Vec2;
 use crate::world::{Traced, Trail, World};
 use core::cell::Cell;
@@ -11,6 +11,11 @@ use core::marker::PhantomData;
 
 /// A mover that slides.
 pub(super) type Sliding = Mover<ByFlags<Surface>>;
+
+/// The mover of all ways. One type: another one would link most of a mover once more.
+pub(super) fn sliding(mover: Mover) -> Sliding {
+    mover.with_surface(Surface::SLICK).with_responses(Responses::NONE)
+}
 
 /// The level of each body. One name for a call and for the level that it returns.
 pub(super) trait View<S> {

@@ -408,9 +408,7 @@ impl<S: SolidShape, B: Body> Tick<'_, S, B> {
         let (mut around, mut first) = (Around::nothing(), First::none());
         let mut search = Search::new(self.body, &mut around);
         search.meet_all(&solids, &mut pieces, d, &mut first);
-        if S::ROUND && search.may_meet_cusp(d) {
-            search.meet_cusp(&solids, d, &mut first);
-        }
+        search.find_cusp(&solids, d, &mut first);
         let (entry, feature) = first.hit::<B, ConvexSolids<'_, S>>(self.body, d)?;
         Some((*feature, HalfPlane { normal: entry.normal, at: entry.displacement(d) }))
     }
