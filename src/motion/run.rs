@@ -157,10 +157,11 @@ impl<'m, B: Body> Run<'m, B> {
         if q.is_zero() {
             return q;
         }
-        // In a gap that closes slowly, there is room only farther back.
+        // In a gap that closes slowly, there is room only farther back. Positions there are on the
+        // motion's own line: the hit's is rounded away from one surface, which may be into another.
         let mut back = 0;
         while back < way(q).min(2 * Self::FARTHEST) {
-            let q = q.sub(back_on(d, back));
+            let q = if back == 0 { q } else { part_of(d, way(q).wrapping_sub(back)) };
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
                 let q = on_the_way(q.add(step), d);
@@ -334,10 +335,10 @@ pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
     Ok(())
 }
 
-/// This much of the longest component of a motion, and the other component in proportion.
-fn back_on(d: Raw, back: u32) -> Raw {
+/// The part of a motion whose longest component is `far`, rounded toward zero.
+fn part_of(d: Raw, far: u32) -> Raw {
     let of = |c: i32| {
-        let part = mul_div(c.unsigned_abs(), back, way(d)) as i32;
+        let part = mul_div(c.unsigned_abs(), far, way(d)) as i32;
         if c < 0 { part.wrapping_neg() } else { part }
     };
     Raw { x: of(d.x), y: of(d.y) }

@@ -133,3 +133,41 @@ fn boxes_stop_where_the_gap_does() {
     });
     assert!(held > 10_000, "{held}");
 }
+
+/// Discs pressed between the corners of two blocks, after a short way along the tangent of one. The
+/// way's end is rounded out of the other corner, which may be into the first.
+#[test]
+fn discs_go_in_between_two_corners() {
+    let mut tiles = [0; SIDE * SIDE];
+    tiles[22 * SIDE + 10] = TileShape::Full as u8;
+    tiles[19 * SIDE + 12] = TileShape::Full as u8;
+    let level = map(&tiles);
+    // The upper right corner of the lower block, and the lower left one of the upper block.
+    let corners = [(11 * 16 * UNIT, 22 * 16 * UNIT), (12 * 16 * UNIT, 20 * 16 * UNIT)];
+    let from = |p: (i64, i64), c: Vec2| [exact(c)[0] - p.0 as f64, exact(c)[1] - p.1 as f64];
+    let gap = |p, c, r: i64| f64::hypot(from(p, c)[0], from(p, c)[1]) - r as f64;
+    let [[x, y], [to_x, to_y]] = corners.map(|p| [p.0 as f64, p.1 as f64]);
+    let (half_x, half_y) = ((to_x - x) / 2.0, (to_y - y) / 2.0);
+    let mut random = Random::new(33);
+    for _ in 0..4000 {
+        let r = random.within(18 * UNIT, 20 * UNIT);
+        // Where it touches both, seen from the lower corner; then turned back round that one.
+        let along = ((r * r) as f64 / (half_x * half_x + half_y * half_y) - 1.0).sqrt();
+        let (x, y) = (half_x - half_y * along, half_y + half_x * along);
+        let turn = random.within(40, 4000) as f64 / r as f64;
+        let away = |by: f64| {
+            let (x, y) = (x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos());
+            raw((x * by) as i64 + corners[0].0, (y * by) as i64 + corners[0].1)
+        };
+        let start = (1..9).map(|k| away(1.0 + f64::from(k) / r as f64)).find(|c| gap(corners[0], *c, r) >= 0.0);
+        let mut body = Circle::new(start.unwrap(), Fx::from_bits(r as i32)).unwrap();
+        let push = raw(-random.within(UNIT, 20 * UNIT), random.around(UNIT / 4));
+        let mut velocity = push;
+        for _ in 0..4 {
+            let moved = Mover::new().move_and_slide(&level, &body, push).unwrap();
+            (body, velocity) = (moved.body, moved.velocity);
+        }
+        let left = corners.map(|p| gap(p, body.centre(), r));
+        assert!(velocity == Vec2::ZERO && left.iter().all(|gap| *gap < 8.0), "{left:?}: {body:?} by {push:?}");
+    }
+}

@@ -60,7 +60,11 @@ pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcom
     let obeyed: Vec<&Hit> = out.hits.iter().filter(|h| response != Response::DropThrough || !h.one_way).collect();
     let axes: Vec<P> = obeyed.iter().map(|h| (i64::from(h.axis.x), i64::from(h.axis.y))).collect();
     if let (Some(&last), Some(hit)) = (axes.last(), obeyed.last()) {
-        check(dot(out.v, last) >= 0 || is_past(level, &out.body, out.v, hit), "still moves into what it hit last")?;
+        // Past it where it stands now, or where it chose its way.
+        let is_past = |body: &Body| is_past(level, body, out.v, hit);
+        let was_past = || ways::place_of_last(response, out).is_some_and(|(at, _)| is_past(&at));
+        let passes = dot(out.v, last) >= 0 || is_past(&out.body) || was_past();
+        check(passes, "still moves into what it hit last")?;
     } else {
         check(out.v == v, "lost velocity without a hit")?;
     }

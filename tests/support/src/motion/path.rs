@@ -26,13 +26,22 @@ fn near(a: P, b: V, within: f64) -> bool {
     (a.0 as f64 - b.0).abs() <= within && (a.1 as f64 - b.1).abs() <= within
 }
 
+/// How a circle came to the first surface that it touches.
+#[derive(Clone, Copy, PartialEq)]
+enum Came {
+    Lay,
+    /// To a corner on a hop, so fast that it goes round that. The next hit decides.
+    Hopped,
+    Flew,
+}
+
 /// The surfaces that a motion has touched so far, and its velocity at each. The start's velocity
 /// presses a circle that lay on the first surface against all surfaces that it has slid along
 /// since. A flying circle reaches the next with the rest that the last one left.
 struct Touched {
     by: V,
     planes: Vec<Plane>,
-    lies: bool,
+    came: Came,
     /// Whether one-way faces count.
     fronts: bool,
 }
@@ -77,7 +86,7 @@ impl Touched {
     /// another way than round them, or by flying past. Returns whether that is certain: not if a
     /// body just passes the end of a face.
     fn slide(&mut self, leg: V, level: &Level, there: &Body) -> bool {
-        let (lies, fronts) = (self.lies, self.fronts);
+        let (lies, hopped, fronts) = (self.came == Came::Lay, self.came == Came::Hopped, self.fronts);
         let mut certain = true;
         self.planes.retain_mut(|plane| {
             if plane.corner {
@@ -91,14 +100,41 @@ impl Touched {
                 certain &= !lies || (gap - Self::NEAR).abs() > 3.0;
                 // A turn of a quarter of the normal is the limit, which roundings decide.
                 let turn = 4.0 * leg.0.hypot(leg.1) / plane.radius;
-                certain &= !lies || !(0.7..1.4).contains(&turn);
-                return lies && gap <= Self::NEAR && turn <= 1.0;
+                certain &= !(lies || hopped) || !(0.7..1.4).contains(&turn);
+                return (hopped || lies && gap <= Self::NEAR) && turn <= 1.0;
             }
             let over = is_over(level, there, plane, fronts);
             certain &= over.is_some();
             out <= Self::NEAR && over.unwrap_or(true)
         });
         certain
+    }
+
+    /// Decides at a hit after a hop whether the circle lay on the corner from which it hopped. It
+    /// did if that corner and the surface that it hits, of normal `m`, hold its velocity together:
+    /// the velocity is between the reverses of both normals. Then it meets both with that velocity.
+    /// Returns whether it lay there; `None` if roundings decide that.
+    fn end_hop(&mut self, m: V, hits_face: bool) -> Option<bool> {
+        if self.came != Came::Hopped {
+            return Some(false);
+        }
+        self.came = Came::Flew;
+        let first = self.planes.first().filter(|plane| plane.corner && !hits_face);
+        if let Some(n) = first.map(|plane| plane.normal) {
+            let turn = |a: V, b: V| (a.0 * b.1 - a.1 * b.0) / a.0.hypot(a.1) / b.0.hypot(b.1);
+            let (between, to_m, to_n) = (turn(m, n), turn(self.by, m), turn(self.by, n));
+            let sides = [to_m, -to_n].map(|side| side * between.signum());
+            if [between, to_m, to_n].iter().any(|turn| turn.abs() < 1.0e-3) {
+                return None;
+            }
+            if sides.iter().all(|side| *side > 0.0) {
+                self.came = Came::Lay;
+            }
+        }
+        let lies = self.came == Came::Lay;
+        self.planes
+            .retain(|plane| !plane.corner || lies && plane.normal.0.hypot(plane.normal.1) - plane.radius <= Self::NEAR);
+        Some(lies)
     }
 
     /// The faces that end at the corner that was hit last, if it is as high over them as its radius
@@ -132,26 +168,41 @@ fn along_an_end(level: &Level, there: &Body, touched: &Touched, v: P) -> Option<
     })
 }
 
-/// Whether a circle of velocity `v` lies on the surface that it hits after a leg. It is as near as
-/// roundings leave it, or as a step along a corner's tangent, which rises by `s^2 / 2 rho` over a
-/// way `s`. `None` if a raw unit would decide that.
-fn lies(leg: V, v: V, hit: &Hit) -> Option<bool> {
+/// How a circle of velocity `v` came to the surface that it hits after a leg. It lay there if it is
+/// as near as roundings leave it, or as a step along a corner's tangent, which rises by `s^2 / 2 rho`
+/// over a way `s` of at most a quarter of `rho`. `None` if a raw unit would decide that.
+fn came(leg: V, v: V, hit: &Hit) -> Option<Came> {
     let n = (f64::from(hit.axis.x), f64::from(hit.axis.y));
     let (rho, was) = (n.0.hypot(n.1), (n.0 - leg.0).hypot(n.1 - leg.1));
     if hit.index < 4 {
         let way = leg.0.abs().max(leg.1.abs());
         return if way < Touched::NEAR - 2.0 {
-            Some(true)
+            Some(Came::Lay)
         } else if way > Touched::NEAR * 1.0e3 {
-            Some(false)
+            Some(Came::Flew)
         } else {
             None
         };
     }
+    let off = (leg.0 * n.0 + leg.1 * n.1).abs() / rho - Touched::NEAR * (n.0.abs() + n.1.abs()) / rho;
+    if off < -3.0 {
+        return Some(Came::Lay);
+    } else if off < 3.0 {
+        return None;
+    }
     let s = (v.0 * n.1 - v.1 * n.0).abs() / rho;
-    let rise = if 4.0 * s <= rho { s * s / (2.0 * rho) } else { 0.0 };
-    let over = was - rho - Touched::NEAR - rise;
-    if over.abs() < 3.0 || (4.0 * s - rho).abs() < 4.0 { None } else { Some(over < 0.0) }
+    let step = s.min(rho / 4.0);
+    let over = was - rho - Touched::NEAR - step * step / (2.0 * rho);
+    if over.abs() < 3.0 || (4.0 * s - rho).abs() < 4.0 {
+        return None;
+    }
+    Some(if over >= 0.0 {
+        Came::Flew
+    } else if s <= step {
+        Came::Lay
+    } else {
+        Came::Hopped
+    })
 }
 
 /// Away from zero: a way that leads into a wall by a part of a raw unit is also blocked. Exact zero
@@ -187,7 +238,8 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
     // touched together.
     let wedge = if let Body::Disc { r, .. } = *start { 2.0 * (r as f64).sqrt() } else { 0.0 };
     let slides = matches!(response, Response::Slide | Response::DropThrough);
-    let mut touched = Touched { by: vel, planes: Vec::new(), lies: false, fronts: response != Response::DropThrough };
+    let mut touched =
+        Touched { by: vel, planes: Vec::new(), came: Came::Flew, fronts: response != Response::DropThrough };
     let mut at_last = *start;
     for (i, hit) in hits.iter().enumerate() {
         let toi = f64::from(hit.toi.raw()) / f64::from(1u32 << 30);
@@ -210,11 +262,13 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
         if response != Response::DropThrough || !hit.one_way {
             let normal = (hit.axis.x.into(), hit.axis.y.into());
             if slides {
-                if touched.planes.is_empty() {
-                    let Some(lies) = lies(made, vel, hit) else { return Ok(()) };
-                    touched.lies = lies && matches!(start, Body::Disc { .. });
-                }
-                if touched.planes.is_empty() || !touched.lies {
+                let Some(keeps) = touched.end_hop(normal, hit.index < 4) else { return Ok(()) };
+                if touched.planes.is_empty() && !keeps {
+                    let Some(came) = came(made, vel, hit) else { return Ok(()) };
+                    let lost = !matches!(start, Body::Disc { .. }) || (i > 0 && came == Came::Hopped);
+                    touched.came = if lost { Came::Flew } else { came };
+                    touched.by = vel;
+                } else if touched.came != Came::Lay {
                     touched.by = vel;
                 }
                 let cell = (hit.cell.x.into(), hit.cell.y.into());
@@ -276,11 +330,13 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
     if !near(out.v, vel, rounding) {
         return Err(format!("goes on by {:?}, not {vel:?}", out.v));
     }
+    // A body that no way is free for creeps to where it is bound.
+    let crept = f64::from(ways::off_place(out)) - f64::from(ways::PLACE);
     let short_leg = if first_leg.is_some_and(|leg| leg.0.hypot(leg.1) < wedge) { wedge } else { 0.0 };
     let (p, q) = (start.position(), out.body.position());
     let moved = (q.0 - p.0, q.1 - p.1);
     let left = (place.0 - moved.0 as f64, place.1 - moved.1 as f64);
-    if near(moved, place, rounding + short_leg) || blocked(left, 64.0, f64::trunc) {
+    if near(moved, place, rounding + short_leg + crept) || blocked(left, 64.0, f64::trunc) {
         Ok(())
     } else {
         Err(format!("moved by {moved:?}, not {place:?}"))

@@ -125,19 +125,26 @@ fn rounding<'h>(v: P, out: &Outcome, hits: impl Iterator<Item = &'h Hit>) -> i12
     hits.map(|hit| (8 << BITS) + (length >> 24) + turn(hit)).sum()
 }
 
-/// How far a body may be from the place of its hit, raw. Roundings are up to 2 raw on each axis:
-/// `2 sqrt 2 < 3` in all. A body that no way is free for creeps up to 64 more, and needs one look
-/// more than its hits and the rest of its way.
+/// How far roundings may put a body from the place of its hit, raw: up to 2 raw on each axis,
+/// `2 sqrt 2 < 3` in all.
+pub const PLACE: u8 = 3;
+
+/// How far a body may be from the place of its hit, raw. A body that no way is free for creeps up
+/// to 64 more, and needs one look more than its hits and the rest of its way.
 pub fn off_place(out: &Outcome) -> u8 {
-    if out.work.iterations as usize > out.hits.len() + 1 { 3 + 64 } else { 3 }
+    if out.work.iterations as usize > out.hits.len() + 1 { PLACE + 64 } else { PLACE }
 }
 
-/// The velocity that a body came to its last hit with, and its error: what the hits before leave of
-/// that of the call.
-fn before_last(v: P, response: Response, out: &Outcome) -> (V, i128) {
+/// The velocities that a body may have come to its last hit with, and their error: what the hits
+/// before leave of that of the call, one after the other, and what leads across the gap between two
+/// of them.
+fn before_last(v: P, response: Response, out: &Outcome) -> (Vec<V>, i128) {
     let last = out.hits.iter().last().map(|hit| hit.toi);
     let before = || obeyed(response, out).filter(|hit| Some(hit.toi) < last);
-    (before().fold(fine(v), |u, hit| along(u, axis(hit))), rounding(v, out, before()))
+    let normals: Vec<P> = before().map(axis).collect();
+    let mut all = vec![normals.iter().fold(fine(v), |u, n| along(u, *n))];
+    all.extend(gaps(&normals).into_iter().map(|gap| on(fine(v), gap)));
+    (all, rounding(v, out, before()))
 }
 
 /// Whether more than `least` of a velocity is along a direction.
@@ -145,8 +152,8 @@ fn is_along(u: V, t: P, least: i128) -> bool {
     part(u, t) > least * (len2(t).isqrt() + 1)
 }
 
-/// A body that ends without velocity ends where no direction leads on in which both the call's
-/// velocity and the one before its last hit have a part.
+/// A body that ends without velocity ends where no direction leads on in which the call's velocity
+/// and all that [it may have had](before_last) before its last hit have a part.
 ///
 /// A part of less than [`SLOW`] is no way. A corner that the body turned round since may leave the
 /// latter a part against the former: nothing pushes it that way.
@@ -155,8 +162,8 @@ pub fn stops_rightly(level: &Level, v: P, response: Response, out: &Outcome) -> 
     if r == 0 || out.v != (0, 0) || out.hits.is_empty() || level.overlaps(&out.body) {
         return Ok(());
     }
-    let (u, error) = before_last(v, response, out);
-    let has = |t: P| is_along(u, t, SLOW + error) && is_along(fine(v), t, SLOW);
+    let (before, error) = before_last(v, response, out);
+    let has = |t: P| before.iter().all(|u| is_along(*u, t, SLOW + error)) && is_along(fine(v), t, SLOW);
     // Both: beside the end of a face the tangent of its corner may lead into the face by a part of
     // a raw unit, which is gone when it is rounded.
     let mut ways = directions(level, &out.body, r).into_iter().filter(|way| has(way.0) && has(way.1));
@@ -230,7 +237,7 @@ fn at_first(level: &Level, start: &Body, v: P, out: &Outcome) -> Vec<P> {
 }
 
 /// The place of the last hit, if the body has moved on from there by its velocity alone.
-fn place_of_last(response: Response, out: &Outcome) -> Option<(Body, Hit)> {
+pub fn place_of_last(response: Response, out: &Outcome) -> Option<(Body, Hit)> {
     let last = *out.hits.iter().last()?;
     let is_last = out.hits.len() < Mover::ITERATIONS as usize && out.remaining == (0, 0);
     if !is_last || out.v == (0, 0) || (response == Response::DropThrough && last.one_way) {
