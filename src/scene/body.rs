@@ -2,6 +2,7 @@
 //! each.
 
 use super::Shape;
+use super::blocked::in_vain;
 use super::kernel::BodyShape;
 use super::way::{BodyWay, Drift};
 use crate::broad::{Handle, Keyed};
@@ -140,15 +141,15 @@ impl<S: BodyShape> SceneBody<S> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Mode {
     /// Unused.
-    Free,
+    Free = 0,
     /// No step moves it.
-    Fixed,
+    Fixed = 1,
     /// Its body is in the list of those awake, and was not when the last step began: that did not
     /// report all that it touched.
-    Woken,
+    Woken = 2,
     /// It was in the list then, too.
-    Awake,
-    Asleep,
+    Awake = 3,
+    Asleep = 4,
 }
 
 impl Mode {
@@ -171,6 +172,8 @@ pub(super) struct Slot<S> {
     pub(super) support: u8,
     /// The slot of that fixed body.
     pub(super) ground: u16,
+    /// The [sides](super::blocked) to which the level did not let it be pushed in the last step.
+    pub(super) blocked: u8,
     pub(super) tally: Tally,
     pub(super) way: BodyWay,
 }
@@ -216,6 +219,7 @@ impl<S: BodyShape> Slot<S> {
         quiet: 0,
         support: 0,
         ground: 0,
+        blocked: 0,
         tally: Tally { under: 0, ..Tally::of(0) },
         way: BodyWay::BLANK,
     };
@@ -231,6 +235,7 @@ impl<S: BodyShape> Slot<S> {
             quiet: 0,
             support,
             ground: NOBODY,
+            blocked: 0,
             tally: Tally::of(0),
             way: BodyWay::REST,
         }
@@ -261,6 +266,11 @@ impl Tally {
     /// The sum of all pushes on it.
     pub(super) fn push(&self) -> Vec2 {
         self.low + self.high
+    }
+
+    /// The sides to which pushes from opposite sides leave it in vain.
+    pub(super) fn opposed(&self) -> u8 {
+        in_vain(self.low, self.push()) | in_vain(self.high, self.push())
     }
 
     pub(super) fn pushed(&mut self, by: Vec2) {

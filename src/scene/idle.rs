@@ -29,8 +29,8 @@ impl Rest {
             && slot.way.rate == Vec2::ZERO
             && slot.body.velocity == before
             && causes.gravity == gravity
-            && (slot.support, slot.ground, slot.tally.drift)
-                == (self.start.support, self.start.ground, self.start.drift);
+            && (slot.support, slot.ground, slot.blocked, slot.tally.drift)
+                == (self.start.support, self.start.ground, self.start.blocked, self.start.drift);
         match (as_it_was, self.start.quiet.saturating_add(1) == slot.quiet, self.start.quiet == slot.quiet) {
             (true, true, _) => Idle::Counts,
             (true, false, true) => Idle::Never,

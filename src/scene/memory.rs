@@ -54,6 +54,8 @@ pub(super) struct Made {
     /// all that a way may have.
     hits: [Option<Hit>; 2],
     pub(super) floor: bool,
+    /// The [sides](super::blocked) to which the push led less than half its way.
+    pub(super) blocked: u8,
 }
 
 /// The state that a body has before its way, apart from its shape and velocity.
@@ -62,12 +64,19 @@ pub(super) struct Start {
     pub(super) support: u8,
     pub(super) ground: u16,
     pub(super) quiet: u8,
+    pub(super) blocked: u8,
     pub(super) drift: Drift,
 }
 
 impl Start {
     pub(super) fn of<S>(slot: &Slot<S>) -> Self {
-        Self { support: slot.support, ground: slot.ground, quiet: slot.quiet, drift: slot.tally.drift }
+        Self {
+            support: slot.support,
+            ground: slot.ground,
+            quiet: slot.quiet,
+            blocked: slot.blocked,
+            drift: slot.tally.drift,
+        }
     }
 }
 
@@ -98,8 +107,8 @@ impl Rest {
 
 impl Made {
     /// `None` if the way led to more hits than are kept.
-    pub(super) fn of<B>(causes: Causes, moved: &Moved<B>) -> Option<Self> {
-        Some(Self { causes, velocity: moved.velocity, hits: moved.hits.few()?, floor: moved.floor })
+    pub(super) fn of<B>(causes: Causes, moved: &Moved<B>, blocked: u8) -> Option<Self> {
+        Some(Self { causes, velocity: moved.velocity, hits: moved.hits.few()?, floor: moved.floor, blocked })
     }
 
     pub(super) fn hits(&self) -> Hits {

@@ -66,7 +66,8 @@
 //! - **No body enters the solid.** A body that is in it already, or cannot be moved for another
 //!   reason, is [held](SceneEvent::Held): it stays and has no velocity.
 //! - **Bodies may overlap** after a step, if the level leaves no room or many push. The next step
-//!   finds how deep, and pushes again.
+//!   finds how deep, and pushes again. Of a body that was pushed in vain, others then come out the
+//!   whole way. A heavy body comes two steps deep into a light one at a wall, and no deeper.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
 //! - **Order does not matter**, neither that of insertion nor that of the broad phase, nor the
 //!   choice of broad phase. For this, keys must be unique (otherwise slots decide). Only events
@@ -343,6 +344,7 @@
 //! own rules read: [`PairEvents`](crate::broad::PairEvents),
 //! [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
 
+mod blocked;
 mod body;
 mod change;
 mod error;

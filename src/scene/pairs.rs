@@ -1,6 +1,7 @@
 //! How the contacts at a step's start affect two bodies: which pushes the other, which lies on the
 //! other, and which rest together.
 
+use super::blocked::holds;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
@@ -8,6 +9,7 @@ use super::met::senses;
 use super::reply::{Replies, Reply};
 use super::way::Pace;
 use crate::broad::{BroadPhase, Handle, Pair};
+use crate::motion::Masses;
 use crate::motion::response::separate;
 use crate::num::Vec2;
 use crate::query::Contact;
@@ -39,7 +41,7 @@ pub(super) fn tally<S: BodyShape>(
 ) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
-    let (by_a, by_b) = separate(contact, meeting.masses.share_of_a());
+    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked));
     // Other bodies push back the two lying bodies that a push parts. Pushing by the whole overlap
     // would go on for ever.
     let gently =
@@ -53,6 +55,18 @@ pub(super) fn tally<S: BodyShape>(
         slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
     }
     is_hit
+}
+
+/// The pushes that part two bodies. One that is blocked tries its share again, and the other makes
+/// the whole way.
+fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8)) -> (Vec2, Vec2) {
+    let of = |masses: Masses| separate(contact, masses.share_of_a());
+    let (by_a, by_b) = of(meeting.masses);
+    match (holds(a, by_a), holds(b, by_b)) {
+        (true, false) if meeting.moves_b => (by_a, of(Masses::A_FIXED).1),
+        (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, by_b),
+        _ => (by_a, by_b),
+    }
 }
 
 fn half(v: Vec2) -> Vec2 {

@@ -55,30 +55,56 @@ pub struct Snapshot<B, const N: usize, S = Shape> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Kept<S> {
     pub(super) body: SceneBody<S>,
-    pub(super) mode: Mode,
+    pub(super) status: Status,
     pub(super) quiet: u8,
     pub(super) support: u8,
     pub(super) ground: u16,
     pub(super) drift: Drift,
 }
 
+/// The mode of a slot, and above it the sides to which it is blocked. In one byte, they leave a slot
+/// at 88 bytes, and so a snapshot of 64 bodies below 8 KB.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Status(u8);
+
+impl Status {
+    pub(super) const fn of(mode: Mode, blocked: u8) -> Self {
+        Self(mode as u8 | blocked << 3)
+    }
+
+    pub(super) const fn mode(self) -> Mode {
+        match self.0 & 7 {
+            1 => Mode::Fixed,
+            2 => Mode::Woken,
+            3 => Mode::Awake,
+            4 => Mode::Asleep,
+            _ => Mode::Free,
+        }
+    }
+
+    pub(super) const fn blocked(self) -> u8 {
+        self.0 >> 3
+    }
+}
+
 impl<S: BodyShape> Kept<S> {
     const fn of(slot: &Slot<S>) -> Self {
-        let Slot { body, mode, quiet, support, ground, tally, .. } = *slot;
-        Self { body, mode, quiet, support, ground, drift: tally.drift }
+        let Slot { body, mode, quiet, support, ground, blocked, tally, .. } = *slot;
+        Self { body, status: Status::of(mode, blocked), quiet, support, ground, drift: tally.drift }
     }
 
     /// A step sets all the rest before it reads it; what sleeps or is fixed has made its way.
     const fn slot(&self, handle: Handle) -> Slot<S> {
-        let Self { body, mode, quiet, support, ground, drift } = *self;
+        let Self { body, status, quiet, support, ground, drift } = *self;
+        let (mode, blocked) = (status.mode(), status.blocked());
         let generation = if matches!(mode, Mode::Free) { 0 } else { handle.generation() };
         let tally = Tally { drift, ..Tally::of(handle.slot() as u16) };
-        Slot { body, generation, mode, quiet, support, ground, tally, way: BodyWay::REST }
+        Slot { body, generation, mode, quiet, support, ground, blocked, tally, way: BodyWay::REST }
     }
 
     #[cfg(feature = "serde")]
     pub(super) const fn is_awake(&self) -> bool {
-        self.mode.is_awake()
+        self.status.mode().is_awake()
     }
 
     pub(super) const FREE: Self = Self::of(&Slot::FREE);

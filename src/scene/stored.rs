@@ -1,9 +1,10 @@
 //! Scenes: what a snapshot has, where the scene and its broad phase have to agree.
 
+use super::blocked::ALL;
 use super::body::{Mode, NOBODY};
 use super::kernel::BodyShape;
 use super::set::SleepDifference;
-use super::snapshot::{Kept, Snapshot};
+use super::snapshot::{Kept, Snapshot, Status};
 use super::way::Drift;
 use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Keyed};
@@ -22,6 +23,7 @@ struct Lasting<S> {
     quiet: u8,
     support: u8,
     ground: u16,
+    blocked: u8,
     drift: Drift,
 }
 
@@ -41,10 +43,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> Fo
     type Fault = Wrong;
 
     fn of(snapshot: &Snapshot<B, N, S>) -> Self {
-        let taken = snapshot.kept.iter().enumerate().filter(|(_, kept)| kept.mode != Mode::Free);
+        let taken = snapshot.kept.iter().enumerate().filter(|(_, kept)| kept.status.mode() != Mode::Free);
         let bodies = taken.map(|(slot, kept)| {
-            let Kept { body, mode, quiet, support, ground, drift } = *kept;
-            Lasting { slot: slot as u16, body, mode, quiet, support, ground, drift }
+            let Kept { body, status, quiet, support, ground, drift } = *kept;
+            let (mode, blocked) = (status.mode(), status.blocked());
+            Lasting { slot: slot as u16, body, mode, quiet, support, ground, blocked, drift }
         });
         Self {
             version: Version,
@@ -65,10 +68,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> Fo
             next = at + 1;
             agrees(lasting, &near)?;
             let Some(place) = kept.get_mut(at) else { return Err(Wrong { at, what: "it is beyond the last slot" }) };
-            let Lasting { body, mode, quiet, support, ground, drift, .. } = *lasting;
+            let Lasting { body, mode, quiet, support, ground, blocked, drift, .. } = *lasting;
             let ground_is_here = ground == NOBODY || usize::from(ground) < N;
             ensure(ground_is_here, at, "it is carried by what is beyond the last slot")?;
-            *place = Kept { body, mode, quiet, support, ground, drift };
+            ensure(blocked <= ALL, at, "it is blocked at more sides than four")?;
+            *place = Kept { body, status: Status::of(mode, blocked), quiet, support, ground, drift };
         }
         ensure(near.len() == bodies.len(), bodies.len(), "the broad phase has more bodies")?;
         let (mut list, mut listed) = ([0; N], [false; N]);

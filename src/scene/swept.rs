@@ -8,6 +8,7 @@
 //! changes its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet
 //! again in the step move along each other, and their velocities meet in the next one.
 
+use super::blocked::in_vain;
 use super::body::{ALOFT, NOBODY, Slot};
 use super::change::rouse;
 use super::idle::{reach_of, stir};
@@ -73,6 +74,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= self.sleep().steps);
         self.awake().iter().any(quiet)
     }
+}
+
+/// What moves a body beside its velocity: its push, until it meets another body. From then on,
+/// others may lead it.
+fn pushed<S>(slot: &Slot<S>) -> Vec2 {
+    if slot.way.met.1 == 0 { slot.way.rate - slot.body.velocity } else { Vec2::ZERO }
 }
 
 struct Sweep<'a, B, V, S, R> {
@@ -204,18 +211,21 @@ where
         let touched = self.trip.touch(&slot.body, slot.way.left(slot.way.since));
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         slot.way.turns += 1;
+        let mut push = pushed(slot);
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
             self.trip.tell(handle, &slot.body.shape, &shape);
             slot.body.shape = shape;
             slot.body.velocity = self.trip.after(&slot.body, &hit);
+            // It is pushed along the surface.
+            push = Surface::SLICK.respond(push, hit.axis).unwrap_or(Vec2::ZERO);
             if floor {
                 (slot.support, slot.ground) = (0, NOBODY);
             }
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags, velocity });
         }
-        slot.way.go_on(time, slot.body.velocity);
+        slot.way.go_on(time, slot.body.velocity + push);
         let at = handle.slot() as u16;
         self.look_again(|other, end| other == at || end == End::Body(at));
     }
@@ -258,6 +268,7 @@ where
         let Some((one, other)) = super::pairs::both(self.slots, met.pair) else { return };
         let (mut one, mut other) = (*one, *other);
         let again = one.way.has_met(b) || other.way.has_met(a);
+        let (push, push_of_other) = (pushed(&one), pushed(&other));
         if !again {
             let speed = met.axis.approach(other.body.velocity - one.body.velocity);
             (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
@@ -278,14 +289,14 @@ where
             Top::B if other.way.pace == Pace::Swept => other.lie_on(self.slots, &one, a),
             _ => {}
         }
-        for (slot, with) in [(&mut one, b), (&mut other, a)] {
+        for (slot, with, push) in [(&mut one, b, push), (&mut other, a, push_of_other)] {
             if slot.way.pace == Pace::Swept {
                 slot.way.turns += u8::from(slot.way.turns < TURNS);
                 if !again {
                     slot.way.note(with);
                 }
                 // A body that it has already met leads it, with its own velocity.
-                let rate = if again { slot.way.rate } else { slot.body.velocity };
+                let rate = if again { slot.way.rate } else { slot.body.velocity + push };
                 slot.way.go_on(met.time, rate);
             }
         }
@@ -347,6 +358,7 @@ where
         slot.way.since = Toi::ONE;
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
+        slot.blocked = in_vain(slot.tally.push(), by);
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {

@@ -1,5 +1,6 @@
 //! The way of one body through the level.
 
+use super::blocked::in_vain;
 use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
@@ -139,7 +140,7 @@ impl<V> Trip<'_, V> {
         each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault> {
         go(slot, handle, by, near)?;
-        slot.body.velocity = made.velocity;
+        (slot.body.velocity, slot.blocked) = (made.velocity, slot.tally.opposed() | made.blocked);
         let (hits, flags) = (made.hits(), made.flags());
         self.arrive(slot, by, if made.floor { 0 } else { ALOFT }, hits.is_empty());
         if !hits.is_empty() {
@@ -166,6 +167,8 @@ impl<V> Trip<'_, V> {
         if push != Vec2::ZERO {
             start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
         }
+        let blocked = in_vain(push, start.position() - body.position());
+        slot.blocked = slot.tally.opposed() | blocked;
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
         let mover = mover.with_responses(slot.body.responses);
         let result = self.view.go(&mover, (handle, &slot.body), &start, velocity);
@@ -177,7 +180,7 @@ impl<V> Trip<'_, V> {
         let by = moved.position() - body.position();
         go(slot, handle, by, near)?;
         if !memory.is_empty() {
-            let (at, made) = (handle.slot(), Made::of(causes, moved));
+            let (at, made) = (handle.slot(), Made::of(causes, moved, blocked));
             keep(memory, at, made.as_ref().map(|made| Rest::of(made, start_of, by)));
             if let Some((ways, made)) = memory.get_mut(self.ways..).zip(made.as_ref()) {
                 note(ways, at, body.position(), by, made);
@@ -263,12 +266,16 @@ impl<V> Trip<'_, V> {
 
     /// Updates a body that has come this far.
     pub(super) fn arrive<S: BodyShape>(&self, slot: &mut Slot<S>, by: Vec2, support: u8, free: bool) {
-        let is_still = self.is_still(slot, by);
+        // In a heap, weight makes bodies push each other all the time. Without weight, a push ends, or
+        // there is no room and nothing moves.
+        let weight = slot.body.weight(self.gravity);
+        let moves = (by, slot.body.velocity) != (Vec2::ZERO, Vec2::ZERO);
+        let pressed = moves && weight == Vec2::ZERO && size(slot.tally.push()) > self.still();
+        let is_still = self.is_still(slot, by) && !pressed;
         // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
         // would hang in the air, where nothing wakes it. In a heap it also hops, for a step now and
         // then: such a step is not one of rest, but it does not end a rest. A bounce does.
         let Tally { low, high, under, .. } = slot.tally;
-        let weight = slot.body.weight(self.gravity);
         let held = !free || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | FLIES);
         let flies = weight != Vec2::ZERO && !held;
         if matches!(under, NOBODY | FLIES) {
@@ -286,13 +293,17 @@ impl<V> Trip<'_, V> {
         }
     }
 
+    /// Raw units per step below which a body has hardly moved.
+    fn still(&self) -> u32 {
+        self.sleep.still.to_bits().max(0).unsigned_abs()
+    }
+
     /// Whether it has hardly moved: in this step, or on the whole since it has been quiet. In a
     /// heap, bodies that push each other to and fro would otherwise do so for ever. A body that is
     /// slow enough to fall asleep may come as far in all the steps that it takes.
     fn is_still<S>(&self, slot: &mut Slot<S>, by: Vec2) -> bool {
         let (x, y) = by.raw();
-        let Sleep { still, steps } = self.sleep;
-        let still = still.to_bits().max(0).unsigned_abs();
+        let (still, Sleep { steps, .. }) = (self.still(), self.sleep);
         let far = still.saturating_mul(steps.into()).max(size(self.gravity).saturating_mul(2));
         slot.tally.drift = slot.tally.drift.plus(by);
         x.unsigned_abs().max(y.unsigned_abs()) < still || (still > 0 && slot.tally.drift.is_within(far))

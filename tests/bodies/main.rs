@@ -18,6 +18,7 @@ mod scene_change;
 mod scene_levels;
 mod scene_lifts;
 mod scene_memory;
+mod scene_pushes;
 mod scene_replies;
 mod scene_rest;
 mod scene_rules;

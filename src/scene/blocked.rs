@@ -1,0 +1,42 @@
+//! The sides to which the level did not let a push move a body.
+//!
+//! Two bodies that overlap part by their masses. If the level holds one of them, its share is lost:
+//! a heavy body would sink into a light one at a wall, and pass through it. So a body remembers to
+//! which sides it was blocked in the last step. From there the other body makes the whole way.
+
+use crate::num::Vec2;
+
+const LEFT: u8 = 1;
+const RIGHT: u8 = 2;
+const UP: u8 = 4;
+const DOWN: u8 = 8;
+
+/// All sides.
+#[cfg(feature = "serde")]
+pub(super) const ALL: u8 = LEFT | RIGHT | UP | DOWN;
+
+fn sides(v: Vec2) -> u8 {
+    let (x, y) = v.raw();
+    let of = |c: i32, low: u8, high: u8| match c {
+        ..0 => low,
+        0 => 0,
+        1.. => high,
+    };
+    of(x, LEFT, RIGHT) | of(y, UP, DOWN)
+}
+
+/// The sides to which less than half of a push was made. Along a slope, a body makes most of it.
+pub(super) fn in_vain(push: Vec2, made: Vec2) -> u8 {
+    sides(push) & !sides(made + made - push + sign(push))
+}
+
+/// A raw unit to each side of a push: exactly half of it is enough.
+fn sign(push: Vec2) -> Vec2 {
+    let (x, y) = push.raw();
+    Vec2::from_raw(x.signum(), y.signum())
+}
+
+/// Whether a push leads to a blocked side.
+pub(super) fn holds(blocked: u8, push: Vec2) -> bool {
+    sides(push) & blocked != 0
+}
