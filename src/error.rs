@@ -41,7 +41,8 @@ pub enum Quantity {
     Assist,
     /// The number of cells of a level that a motion would visit, not a length.
     Cells,
-    /// The direction of a box: it has none where both components are zero.
+    /// The direction of a box: both components are zero, or one is `i32::MIN`, which has no
+    /// opposite.
     Direction,
     /// How far the core of a capsule that is to be moved is off the vertical or the horizontal, or
     /// zero where the capsule has no radius.
@@ -78,6 +79,9 @@ impl fmt::Display for RangeError {
                     f,
                     "the motion visits too many cells, {value} or more: shorten it, or enlarge the cells"
                 );
+            }
+            Quantity::Direction if value == i32::MIN => {
+                return write!(f, "a direction needs an opposite: its components must be above i32::MIN");
             }
             Quantity::Direction => {
                 return write!(f, "a direction is needed: one of its two components must not be zero");

@@ -63,11 +63,11 @@ impl Mover {
         }
     }
 
-    /// A mover that distinguishes floor, wall and ceiling. `up` may have any length; zero means no
-    /// up. On a screen whose y grows downward it is [`Axis::NEG_Y`].
+    /// A mover that distinguishes floor, wall and ceiling. `up` may have any [length](Axis); zero means
+    /// no up. On a screen whose y grows downward it is [`Axis::NEG_Y`].
     #[must_use]
     pub const fn platformer(up: Axis) -> Self {
-        Self { up: if up.is_zero() { None } else { Some(up) }, ..Self::new() }
+        Self { up: if up.is_zero() { None } else { Some(up.with_opposite()) }, ..Self::new() }
     }
 }
 

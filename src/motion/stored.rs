@@ -39,6 +39,9 @@ impl<S: Law> Form<Mover<S>> for Rules<S> {
         if up.is_some_and(Axis::is_zero) {
             return Err("its \"up\" is no direction: both components are zero");
         }
+        if !up.is_none_or(Axis::has_opposite) {
+            return Err("its \"up\" has no opposite: a component is i32::MIN");
+        }
         let Mover { bounce, .. } = Mover::new().with_response(response).with_responses(surface.responses());
         Ok(Mover { up, response, bounce, limit, drop_through, inside, surface })
     }
@@ -124,6 +127,9 @@ impl<B: Copy> Form<Character<B>> for Hero<B> {
         }
         if self.floor.is_some_and(|floor| floor.axis.is_zero()) {
             return Err("its floor has no normal");
+        }
+        if !self.floor.is_none_or(|floor| floor.axis.has_opposite()) {
+            return Err("the normal of its floor has no opposite: a component is i32::MIN");
         }
         Ok(fields!(Character of self))
     }

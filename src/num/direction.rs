@@ -1,9 +1,9 @@
-//! Directions: two integers, always exact, or a vector of length one; vectors of a given length,
-//! rounded to the nearest lattice point; and the pairs of raw integers that kernels compute with.
+//! Directions: two integers, always exact, or a vector of length one; and vectors of a given
+//! length, rounded to the nearest lattice point.
 
 use super::inverse_root::InverseRoot;
 use super::quotient::{leading_zeros32, rsqrt};
-use super::{Fx, LONG, SPLIT, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
+use super::{Fx, Raw, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
 use core::ops::Neg;
 use fixed::types::I2F30;
 
@@ -12,6 +12,12 @@ use fixed::types::I2F30;
 /// Normals have this type, because a unit vector cannot be exact. `(1, 2)` is the direction of a
 /// slope, but no fixed-point vector is exactly `(1, 2) / sqrt(5)`. Call [`Axis::unit`] if you need
 /// the rounded unit vector.
+///
+/// Keep both components above `i32::MIN`, which has no opposite: [`perp`](Self::perp) and
+/// [`reversed`](Self::reversed) leave it as it is. [`OrientedBox::new`](crate::OrientedBox::new)
+/// refuses such a direction. [`Mover::platformer`](crate::Mover::platformer) takes `-i32::MAX` for
+/// it. Products, [`unit`](Self::unit) and the replies of [`response`](crate::motion::response) need
+/// no opposite.
 ///
 /// ```
 /// use tilesat::Axis;
@@ -46,8 +52,7 @@ impl Axis {
         Self { x, y }
     }
 
-    /// The dot product. Exact for all axes that this crate returns: the sum of the products fits 63
-    /// bits.
+    /// The dot product. Exact, unless all four components are `i32::MIN`: any other sum fits.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         // Across a face along an axis: one product, or none.
@@ -60,7 +65,7 @@ impl Axis {
         super::dot(self.x, rhs.x, self.y, rhs.y)
     }
 
-    /// The perpendicular dot product `x1 y2 - y1 x2`.
+    /// The perpendicular dot product `x1 y2 - y1 x2`. Exact.
     ///
     /// ```
     /// use tilesat::Axis;
@@ -116,16 +121,27 @@ impl Axis {
         Fx::from_bits(if speed < 1 << 30 { speed as i32 } else { i32::MAX })
     }
 
-    /// This direction turned by a right angle: `(-y, x)`.
+    /// This direction turned by a right angle: `(-y, x)`. For `y` above `i32::MIN`.
     #[must_use]
     pub const fn perp(self) -> Self {
         Self::new(self.y.wrapping_neg(), self.x)
     }
 
-    /// The opposite direction.
+    /// The opposite direction. For components above `i32::MIN`.
     #[must_use]
     pub const fn reversed(self) -> Self {
         Self::new(self.x.wrapping_neg(), self.y.wrapping_neg())
+    }
+
+    /// Whether no component is `i32::MIN`, which has no opposite.
+    pub(crate) const fn has_opposite(self) -> bool {
+        self.x != i32::MIN && self.y != i32::MIN
+    }
+
+    /// The nearest axis that [has an opposite](Self::has_opposite).
+    pub(crate) const fn with_opposite(self) -> Self {
+        // `i32::MIN` saturates to `i32::MAX`, and comes back as the opposite of that.
+        Self::new(self.x.saturating_neg().wrapping_neg(), self.y.saturating_neg().wrapping_neg())
     }
 
     /// Whether both components are zero. This crate never returns such an axis.
@@ -149,7 +165,7 @@ impl Axis {
         unit_nearest(self)
     }
 
-    /// The square of the length, exact for components below 2^31.
+    /// The square of the length. Exact.
     #[must_use]
     pub const fn length_squared(self) -> u64 {
         super::norm(self.x, self.y)
@@ -380,71 +396,4 @@ pub(crate) const fn toward(v: Raw, r: i32) -> Raw {
     let d = v.len2();
     let (x, y) = (on_circle(v.x.unsigned_abs(), r as u32, d) as i32, on_circle(v.y.unsigned_abs(), r as u32, d) as i32);
     Raw { x: if v.x < 0 { x.wrapping_neg() } else { x }, y: if v.y < 0 { y.wrapping_neg() } else { y } }
-}
-
-/// Raw coordinates, or a difference of two inside the domain: the kernels' operand.
-///
-/// Public in a private module, because methods of sealed traits take it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Raw {
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-}
-
-impl Raw {
-    pub(crate) const ZERO: Self = Self { x: 0, y: 0 };
-
-    pub(crate) const fn of(v: Vec2) -> Self {
-        Self { x: v.x.to_bits(), y: v.y.to_bits() }
-    }
-
-    pub(crate) const fn vec2(self) -> Vec2 {
-        Vec2::from_raw(self.x, self.y)
-    }
-
-    pub(crate) const fn add(self, o: Self) -> Self {
-        Self { x: self.x.wrapping_add(o.x), y: self.y.wrapping_add(o.y) }
-    }
-
-    /// Both operands inside the domain: the difference is below 2^30.
-    pub(crate) const fn sub(self, o: Self) -> Self {
-        Self { x: self.x.wrapping_sub(o.x), y: self.y.wrapping_sub(o.y) }
-    }
-
-    pub(crate) const fn reversed(self) -> Self {
-        Self { x: self.x.wrapping_neg(), y: self.y.wrapping_neg() }
-    }
-
-    /// Operands below 2^30: each product is below 2^60, the sum below 2^61.
-    pub(crate) const fn dot(self, o: Self) -> i64 {
-        super::dot(self.x, o.x, self.y, o.y)
-    }
-
-    /// [`dot`](Self::dot) and [`cross`](Self::cross): where a product is a call, three of them do
-    /// (Gauss). Operands and their sums below 2^31.
-    #[inline]
-    pub(crate) const fn dot_cross(self, o: Self) -> (i64, i64) {
-        if !SPLIT {
-            return (self.dot(o), self.cross(o));
-        }
-        let both = imul(o.x, self.x.wrapping_sub(self.y));
-        let (dot, cross) = (imul(self.y, o.x.wrapping_add(o.y)), imul(self.x, o.y.wrapping_sub(o.x)));
-        (both.wrapping_add(dot), both.wrapping_add(cross))
-    }
-
-    pub(crate) const fn cross(self, o: Self) -> i64 {
-        if LONG {
-            // Where products are as wide as their difference, it saves the negation.
-            return imul(self.x, o.y).wrapping_sub(imul(self.y, o.x));
-        }
-        super::dot(self.x, o.y, self.y.wrapping_neg(), o.x)
-    }
-
-    pub(crate) const fn len2(self) -> u64 {
-        super::norm(self.x, self.y)
-    }
-
-    pub(crate) const fn is_zero(self) -> bool {
-        self.x == 0 && self.y == 0
-    }
 }

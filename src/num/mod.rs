@@ -19,6 +19,7 @@ mod direction;
 mod inverse_root;
 mod part;
 mod quotient;
+mod raw;
 #[cfg(feature = "serde")]
 mod stored;
 #[cfg(test)]
@@ -28,13 +29,14 @@ mod vec2;
 mod wide;
 
 pub use direction::{Axis, UnitVec2};
-pub(crate) use direction::{Raw, on_circle, scaled, toward, unit_by, unit_ceil};
+pub(crate) use direction::{on_circle, scaled, toward, unit_by, unit_ceil};
 pub(crate) use inverse_root::InverseRoot;
 pub use inverse_root::div_sqrt;
 pub(crate) use part::fraction;
 pub use part::{Ratio, Toi};
 pub use quotient::{isqrt64, isqrt64_ceil, mul_div, mul_div_wide, recip, rsqrt};
 pub(crate) use quotient::{leading_zeros32, leading_zeros64, root128_down, root128_up};
+pub(crate) use raw::Raw;
 pub use vec2::{DOMAIN, MOTION, Vec2};
 pub(crate) use vec2::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, sqr_signed, square_times, sub128};

@@ -49,8 +49,8 @@ impl OrientedBox {
     /// turns and mirror images of the direction give turned and mirrored boxes bit for bit.
     ///
     /// # Errors
-    /// [`RangeError`] if the direction is zero, a half extent is negative, or a corner is outside
-    /// the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the direction is zero or has a component `i32::MIN`, a half extent is
+    /// negative, or a corner is outside the [domain](crate::num::DOMAIN).
     pub const fn new(centre: Vec2, half: Vec2, direction: Axis) -> Result<Self, RangeError> {
         let h = Raw::of(half);
         if h.x < 0 || h.x >= DOMAIN {
@@ -61,6 +61,9 @@ impl OrientedBox {
         }
         if direction.is_zero() {
             return Err(RangeError { what: Quantity::Direction, value: 0 });
+        }
+        if !direction.has_opposite() {
+            return Err(RangeError { what: Quantity::Direction, value: i32::MIN });
         }
         let d = Raw { x: direction.x, y: direction.y };
         let left = direction.perp();

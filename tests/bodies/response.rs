@@ -158,6 +158,31 @@ fn a_million_reflections() {
     }
 }
 
+/// The normal may have any length, up to components that have no opposite.
+#[test]
+fn the_longest_normals() {
+    const MIN: i64 = i32::MIN as i64;
+    let mut r = Random::new(11);
+    for case in 0..cases(20_000) {
+        let size = r.within(1, 30);
+        let other = r.around(1 << size);
+        let n = [(MIN, other), (other, MIN), (MIN, MIN), (MIN, 0), (0, MIN)][case as usize % 5];
+        let v = any(&mut r, 1 << (case % 28 + 1));
+        let (restitution, friction) = (Ratio::percent(30).unwrap(), Ratio::percent((case % 70) as u8).unwrap());
+        let out = raw(respond(vec2(v), axis(n), restitution, friction).unwrap());
+        if dot(v, n) >= 0 {
+            assert_eq!(out, v, "{v:?} at {n:?}");
+            continue;
+        }
+        let (numerators, den) = exact(v, n, restitution, friction);
+        for (numerator, part) in numerators.iter().zip([out.0, out.1]) {
+            let off = size_of(&(numerator - &den * part));
+            assert!(off <= &den * 3, "{v:?} at {n:?}, {friction:?}: {out:?}");
+        }
+        assert!(dot(out, n) >= 0 && dot(out, out) <= dot(v, v), "{v:?} at {n:?}: {out:?}");
+    }
+}
+
 /// Without the reference the same roundings add up. That is its purpose.
 #[test]
 fn without_a_reference_speed_bleeds() {

@@ -34,6 +34,13 @@ fn capsules_are_checked() {
 fn boxes_are_checked_and_rounded_once() {
     let make = |half, direction| OrientedBox::new(raw(0, 0), half, direction);
     assert_eq!(make(raw(1, 1), Axis::new(0, 0)).unwrap_err().what, Quantity::Direction);
+    // No direction is opposite to these, so none is across.
+    for direction in [Axis::new(0, i32::MIN), Axis::new(i32::MIN, 7), Axis::new(i32::MIN, i32::MIN)] {
+        let refused = make(raw(5 << 16, 1 << 16), direction).unwrap_err();
+        assert_eq!(refused, RangeError { what: Quantity::Direction, value: i32::MIN });
+        assert!(refused.to_string().contains("i32::MIN"), "{refused}");
+    }
+    assert!(make(raw(1, 1), Axis::new(0, -i32::MAX)).unwrap().along().raw() == (0, -1));
     assert_eq!(make(raw(-1, 1), Axis::X).unwrap_err().what, Quantity::HalfExtent);
     assert_eq!(make(raw(1, i32::MAX), Axis::X).unwrap_err().what, Quantity::HalfExtent);
     assert!(make(raw(END, END), Axis::X).is_ok());

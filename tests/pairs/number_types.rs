@@ -1,7 +1,7 @@
 //! The public numbers against 128-bit arithmetic of the host, and the limits of shapes.
 
 use tilesat::num::DOMAIN;
-use tilesat::{Aabb, Axis, Circle, Fx, Quantity, RangeError, Segment, Toi, Vec2, fx};
+use tilesat::{Aabb, Axis, Circle, Fx, Mover, Quantity, RangeError, Segment, Toi, Vec2, fx};
 use tilesat_judge::Random;
 
 /// Units, ends, zero, and their neighbours, with each sign.
@@ -34,6 +34,30 @@ fn products_of_directions_are_exact() {
             assert_eq!(i128::from(a.perp_dot(b)), cross, "{a:?} {b:?}");
             let here = Vec2::from_raw(x, y);
             assert_eq!((i128::from(here.dot(w)), i128::from(here.perp_dot(w))), (dot, cross), "{here:?} {w:?}");
+        }
+    }
+}
+
+/// `i32::MIN` has no opposite. Movers take the nearest direction, and products are exact unless all
+/// four components are that.
+#[test]
+fn directions_without_an_opposite() {
+    const MIN: i32 = i32::MIN;
+    for (x, y) in [(0, MIN), (MIN, 0), (MIN, 7), (-9, MIN), (MIN, MIN)] {
+        let (a, nearest) = (Axis::new(x, y), Axis::new(x.max(-i32::MAX), y.max(-i32::MAX)));
+        assert_eq!(Mover::platformer(a), Mover::platformer(nearest), "{a:?}");
+        for (u, v) in [(MIN, i32::MAX), (i32::MAX, MIN), (-1, MIN), (0, MIN), (1, 0), (MIN, MIN)] {
+            let b = Axis::new(u, v);
+            let product = |p: i32, q: i32| i128::from(p) * i128::from(q);
+            assert_eq!(i128::from(a.perp_dot(b)), product(x, v) - product(y, u), "{a:?} {b:?}");
+            if [x, y, u, v] != [MIN; 4] {
+                assert_eq!(i128::from(a.dot(b)), product(x, u) + product(y, v), "{a:?} {b:?}");
+            }
+        }
+        let (size, unit) = (f64::from(x).hypot(f64::from(y)), a.unit());
+        for (part, unit) in [(x, unit.x()), (y, unit.y())] {
+            let off = unit.to_num::<f64>() - f64::from(part) / size;
+            assert!(off.abs() < 1.5 / f64::from(1 << 30), "{a:?}: off by {off}");
         }
     }
 }

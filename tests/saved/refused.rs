@@ -72,6 +72,7 @@ fn parts_of_games() {
     refused::<Walker>(&walker(), "/step/bits", json!(1 << 28), &["Walker", "StepHeight"]);
     refused::<Walker>(&walker(), "/mover/version", json!(0), &["version 0 is unknown"]);
     refused::<Mover<Surface>>(&bouncer(), "/up", json!({"x": 0, "y": 0}), &["Mover", "no direction"]);
+    refused::<Mover<Surface>>(&bouncer(), "/up", json!({"x": 1, "y": i32::MIN}), &["Mover", "i32::MIN"]);
     refused::<Surface>(&rubber(), "/friction", json!((1 << 30) + 1), &["Ratio", "above one"]);
     refused::<Surface>(&rubber(), "/rest", json!(1u32 << 31), &["Surface", "rest"]);
     let (hero, standing) = (heroes()[0], heroes().into_iter().find(Character::on_floor).unwrap());
@@ -79,6 +80,7 @@ fn parts_of_games() {
     refused::<Character>(&hero, "/wall", json!(2), &["Character", "wall"]);
     refused::<Character>(&hero, "/limits/min/x/bits", json!(EDGE), &["Aabb", "Width"]);
     refused::<Character>(&standing, "/floor/axis", json!({"x": 0, "y": 0}), &["Character", "no normal"]);
+    refused::<Character>(&standing, "/floor/axis/y", json!(i32::MIN), &["Character", "i32::MIN"]);
     let (_, link, masses, gravity, carry, .., toi, ratio) = rope();
     refused::<Stick>(&link.stick, "/length/bits", json!(-1), &["Stick", "Length"]);
     refused::<Masses>(&masses, "/a", json!(6), &["Masses", "lowest terms"]);

@@ -244,22 +244,23 @@ pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
 pub fn exchange(a: Vec2, b: Vec2, normal: Axis, masses: Masses, surface: &Surface) -> Result<(Vec2, Vec2), RangeError> {
     check_motion(a, MOTION)?;
     check_motion(b, MOTION)?;
-    let (a, b, out) = (Raw::of(a), Raw::of(b), normal.reversed());
+    let (a, b) = (Raw::of(a), Raw::of(b));
     let (step_a, step_b) = masses.steps();
     let step = step_a.wrapping_add(step_b);
-    // Each below 2^29.
-    let before = a.sub(b);
-    let restitution = if surface.stops(before, out) { Ratio::ZERO } else { surface.restitution() };
-    let ideal = reply(before, out, &Rule { restitution, friction: surface.friction(), reference: before.len2() });
+    // B as seen from A, which moves against the normal. A as seen from B would need the reversed
+    // normal, and of `i32::MIN` there is no opposite. Each below 2^29.
+    let before = b.sub(a);
+    let restitution = if surface.stops(before, normal) { Ratio::ZERO } else { surface.restitution() };
+    let ideal = reply(before, normal, &Rule { restitution, friction: surface.friction(), reference: before.len2() });
     let change = before.sub(ideal);
     if change.is_zero() {
         return Ok((a.vec2(), b.vec2()));
     }
     let rounded = Raw { x: steps(change.x, step), y: steps(change.y, step) };
     let after = before.sub(rounded.times(step));
-    let change = settle(after, out, before.len2(), step).map_or(Raw { x: 0, y: 0 }, |after| before.sub(after));
+    let change = settle(after, normal, before.len2(), step).map_or(Raw { x: 0, y: 0 }, |after| before.sub(after));
     let k = Raw { x: steps(change.x, step), y: steps(change.y, step) };
-    Ok((a.sub(k.times(step_a)).vec2(), b.add(k.times(step_b)).vec2()))
+    Ok((a.add(k.times(step_a)).vec2(), b.sub(k.times(step_b)).vec2()))
 }
 
 impl Raw {

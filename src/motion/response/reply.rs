@@ -63,8 +63,10 @@ fn askew(v: Raw, n: Axis, s: u64, rule: &Rule) -> Raw {
         v.add(along(n, j as i64, nn))
     };
     if taken != 0 && taken < c.unsigned_abs() {
+        // Along the tangent (-n.y, n.x). The number is negated, not the component: of `i32::MIN`
+        // there is no opposite.
         let taken = if c < 0 { taken as i64 } else { (taken as i64).wrapping_neg() };
-        out = out.add(along(n.perp(), taken, nn));
+        out = out.add(Raw { x: scaled(n.y, taken.wrapping_neg(), nn), y: scaled(n.x, taken, nn) });
     }
     if rule.loses_nothing() {
         return rule.at_speed(out, v, n);
