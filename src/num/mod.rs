@@ -69,8 +69,8 @@ pub type Fx = fixed::types::I16F16;
 /// An [`Fx`](crate::Fx) from a literal, always computed by the compiler.
 ///
 /// The value is rounded to the nearest raw unit (1/65536), ties to even. It may be negative, and it
-/// may be used wherever an expression may be. Anything that is not a number within 16.16 does not
-/// compile.
+/// may be used wherever an expression may be, also inside of your own macros. Anything that is not
+/// a number within 16.16 does not compile.
 ///
 /// ```
 /// use tilesat::{Fx, fx};
@@ -94,11 +94,31 @@ pub type Fx = fixed::types::I16F16;
 #[macro_export]
 macro_rules! fx {
     ($value:literal) => {
-        const { $crate::Fx::lit(::core::stringify!($value)) }
+        const { $crate::num::literal(::core::stringify!($value)) }
+    };
+    (- $size:literal) => {
+        const { $crate::num::literal(::core::concat!("- ", ::core::stringify!($size))) }
     };
     ($($other:tt)*) => {
         ::core::compile_error!(
             "fx! takes one literal, as in fx!(0.25); for a variable, use Fx::from (an i16) or Fx::checked_from_num"
         )
     };
+}
+
+/// The number that a literal says, for [`fx!`](crate::fx).
+///
+/// In the body of a macro, `stringify!` puts a space after a minus, and [`Fx::lit`] takes none.
+#[doc(hidden)]
+#[must_use]
+pub const fn literal(text: &str) -> Fx {
+    let [b'-', b' ', size @ ..] = text.as_bytes() else { return Fx::lit(text) };
+    let size = match core::str::from_utf8(size) {
+        // Wider than an `Fx`, whose least value has no opposite.
+        Ok(size) => fixed::types::I48F16::lit(size).to_bits(),
+        Err(_) => i64::MAX,
+    };
+    // The compiler evaluates it: no program holds this panic.
+    assert!(0 <= size && size <= 1 << 31, "fx! takes a number from -32768 to below 32768");
+    Fx::from_bits(size.wrapping_neg() as i32)
 }

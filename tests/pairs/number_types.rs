@@ -272,3 +272,46 @@ fn literals_are_constants() {
     const ALL: [Fx; 6] = [fx!(0), fx!(-0.25), fx!(32767.99999), fx!(-32768), fx!(0.1), fx!(1e-3)];
     assert_eq!(ALL.map(Fx::to_bits), [0, -16_384, i32::MAX, i32::MIN, 6_554, 66]);
 }
+
+/// In the body of a macro, a minus and its number are two tokens with a space between.
+#[test]
+fn literals_inside_of_macros() {
+    macro_rules! body {
+        () => {
+            [fx!(-1), fx!(-0.25), fx!(-32768), fx!(7)]
+        };
+    }
+    macro_rules! passed {
+        ($($value:literal)+) => {
+            [$(fx!($value)),+]
+        };
+    }
+    macro_rules! nested {
+        () => {
+            passed!(-1 -0.25 -32768 7)
+        };
+    }
+    macro_rules! negated {
+        ($($value:literal)+) => {
+            [$(fx!(-$value)),+]
+        };
+    }
+    macro_rules! tokens {
+        ($($value:tt)+) => {
+            fx!($($value)+)
+        };
+    }
+    const RAW: [i32; 4] = [-65_536, -16_384, i32::MIN, 7 << 16];
+    for all in [body!(), passed!(-1 -0.25 -32768 7), nested!()] {
+        assert_eq!(all.map(Fx::to_bits), RAW);
+    }
+    assert_eq!(negated!(1 0.25 32768).map(Fx::to_bits).as_slice(), &RAW[..3]);
+    assert_eq!([tokens!(-1), tokens!(-0.25)].map(Fx::to_bits).as_slice(), &RAW[..2]);
+    // Half a raw unit and one and a half: ties to even, as for all literals.
+    macro_rules! ties {
+        () => {
+            passed!(-0.00000762939453125 - 0.00002288818359375)
+        };
+    }
+    assert_eq!(ties!().map(Fx::to_bits), [0, -2]);
+}
