@@ -66,9 +66,14 @@ pub struct Slots<'a, T> {
     state: &'a mut State,
 }
 
+/// The compiler refuses more bodies than a list can link.
+pub(super) const fn check_bodies(n: usize) {
+    assert!(n < NIL as usize, "the parameter N, the most bodies, must be at most 65534");
+}
+
 impl<T: Tag, const N: usize> Table<T, N> {
     pub(super) const fn new() -> Self {
-        const { assert!(N < NIL as usize, "a broad phase holds at most 65534 bodies") };
+        const { check_bodies(N) };
         Self {
             bounds: [Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO); N],
             tags: [T::BLANK; N],

@@ -129,7 +129,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
     /// assert!(LooseGrid::<24, 200>::new(Vec2::ZERO, Fx::from_num(24), 32).is_err()); // no power of two
     /// ```
     pub const fn new(origin: Vec2, cell: Fx, columns: u16) -> Result<Self, GridError> {
-        const { assert!(BLOCKS > 0 && BLOCKS < 2048, "a grid has from 1 to 2047 blocks") };
+        const { check_blocks(BLOCKS) };
         if let Err(error) = check_coordinate(origin) {
             return Err(GridError::Origin(error));
         }
@@ -261,4 +261,12 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
 
     #[inline]
     fn rest(&self, _: i32, _: At, _: impl FnMut(usize)) {}
+}
+
+/// The compiler refuses other numbers of blocks.
+pub(in crate::broad) const fn check_blocks(blocks: usize) {
+    assert!(
+        blocks > 0 && blocks < 2048,
+        "the first parameter, BLOCKS, must be from 1 to 2047: LooseGrid<BLOCKS, N, T>"
+    );
 }

@@ -194,7 +194,7 @@ const FACTORS: [u16; 10] = [19, 47, 75, 149, 275, 791, 1557, 2431, 6229, 12031];
 pub(in crate::broad) const fn factor(buckets: usize) -> u16 {
     assert!(
         buckets.is_power_of_two() && buckets >= 64 && buckets <= 32_768,
-        "a spatial hash has a power of two of buckets, from 64 to 32768"
+        "the first parameter, BUCKETS, must be a power of two from 64 to 32768: SpatialHash<BUCKETS, N, T>"
     );
     let (mut rest, mut log) = (FACTORS.as_slice(), buckets.trailing_zeros() - 6);
     loop {

@@ -188,3 +188,27 @@ mod hash {
         }
     }
 }
+
+/// What the compiler says of a number in the wrong place: `N` is not everywhere the first one.
+mod refusals {
+    use crate::broad::cells::{grid::check_blocks, hash::factor};
+    use crate::broad::table::check_bodies;
+
+    #[test]
+    #[should_panic(expected = "the first parameter, BUCKETS, must be a power of two")]
+    fn buckets_are_named() {
+        let _ = factor(300);
+    }
+
+    #[test]
+    #[should_panic(expected = "the first parameter, BLOCKS, must be from 1 to 2047")]
+    fn blocks_are_named() {
+        check_blocks(2048);
+    }
+
+    #[test]
+    #[should_panic(expected = "the parameter N, the most bodies, must be at most 65534")]
+    fn bodies_are_named() {
+        check_bodies(65_535);
+    }
+}
