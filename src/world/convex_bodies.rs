@@ -33,6 +33,26 @@ fn ask<W: World, B: Convex>(world: &W, shape: &B, bounds: Aabb, closed: bool) ->
     world.meets_convex(&ConvexBody { core, bounds, offset: Raw::ZERO }, closed)
 }
 
+impl<const N: usize> AnyShape<N> {
+    /// Whether it overlaps a level: strict and exact, as `overlaps` of the level. For scenes, whose
+    /// other shapes have it too.
+    ///
+    /// ```
+    /// use tilesat::shape::AnyShape;
+    /// use tilesat::{Axis, OrientedBox, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
+    /// let kite = |y| OrientedBox::new(Vec2::from_ints(8, y), Vec2::from_ints(5, 5), Axis::new(3, 4));
+    /// let (high, low): (AnyShape<4>, AnyShape<4>) = (kite(9)?.into(), kite(10)?.into());
+    /// assert!(low.overlaps_level(&level) && !high.overlaps_level(&level)); // touching is not overlapping
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn overlaps_level(&self, level: &impl World) -> bool {
+        ask(level, self, self.aabb(), false)
+    }
+}
+
 macro_rules! convex_meets {
     ([$($parameters:tt)*] $level:ty, [$($n:tt)*] $body:ty) => {
         impl<$($parameters)* $($n)*> Overlaps<$body> for $level {
