@@ -226,7 +226,8 @@ impl<B: Body> Character<B> {
     ///
     /// # Errors
     /// [`RangeError`] if a speed or the body's half extent is not below 4096 units, or the
-    /// [`Feel`]'s snap or step is negative or not below that. The character is then unchanged.
+    /// [`Feel`]'s snap or step is negative or not below that. Always if the body cannot move: a
+    /// slanted capsule, or one without radius. The character is then unchanged.
     pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {
         self.step_carried(level, input, Vec2::ZERO)
     }

@@ -157,8 +157,7 @@ impl<S: Law> Mover<S> {
     ///
     /// ```
     /// use tilesat::{Axis, Mover};
-    /// let goat = Mover::platformer(Axis::NEG_Y).with_slope_limit(2, 1); // the steep slopes of tiles, 63 degrees, are floor too
-    /// # let _ = goat;
+    /// let _goat = Mover::platformer(Axis::NEG_Y).with_slope_limit(2, 1); // the steep slopes of tiles, 63 degrees, are floor too
     /// ```
     #[must_use]
     #[doc(alias("floor_max_angle", "max_slope_climb_angle"))]
@@ -166,9 +165,8 @@ impl<S: Law> Mover<S> {
         Self { limit: SlopeLimit { rise, run }, ..self }
     }
 
-    /// The same mover that passes one-way faces, or no longer does. Use it in the frames in which a
-    /// player wants to drop through a platform, with any response. Hits report the faces as with
-    /// [`Response::DropThrough`].
+    /// The same mover that passes one-way faces, or no longer does. Use it while a player wants to
+    /// drop through a platform. The response may be any; hits are [`Response::DropThrough`]'s.
     ///
     /// Gravity must act in that frame: the body passes only what it moves into. A body that stands
     /// and has no downward velocity stands on. One frame is enough if it moves into the face by a
@@ -246,8 +244,10 @@ impl<S: Law> Mover<S> {
     /// # Errors
     /// - [`MoveError::Range`] if a velocity component or a half extent is not below 2^28 raw (4096
     ///   units). A velocity shorter than that stays acceptable in every direction.
-    /// - [`MoveError::Range`] if the motion would leave the domain, or visits more than
-    ///   [`Mover::CELLS`] cells.
+    /// - [`MoveError::Range`] if the motion would leave the domain, were nothing in its way, or
+    ///   visits more than [`Mover::CELLS`] cells.
+    /// - [`MoveError::Range`] at any velocity, even zero, for a body that cannot move: a slanted
+    ///   capsule, one without radius, or an [`AnyShape`](crate::shape::AnyShape) without an area.
     /// - [`MoveError::Stuck`] if the body moves, already overlaps the level, and the mover
     ///   [reports](StartInside) that.
     #[inline(never)]
