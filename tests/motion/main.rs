@@ -52,6 +52,7 @@ mod torture_seams;
 mod torture_segments;
 mod torture_shapes;
 mod torture_views;
+mod walk_bends;
 mod walk_edges;
 mod walk_joined;
 mod walk_scenes;

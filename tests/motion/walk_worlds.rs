@@ -27,9 +27,9 @@ pub(super) struct Frame {
     pub(super) floor: Option<Support>,
     stepped: i64,
     snapped: i64,
-    wall: bool,
+    pub(super) wall: bool,
     work: u32,
-    hits: tilesat::motion::Hits,
+    pub(super) hits: tilesat::motion::Hits,
 }
 
 fn frame<B: tilesat::Body>(body: Body, w: &Walked<B>) -> Frame {

@@ -25,17 +25,13 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
         self.run.put_back(start);
         let least = self.least(room, forward);
         // A step thinner than a leg is passed over its top.
-        let climbed = [least, room].into_iter().any(|raised| {
+        [least, room].into_iter().any(|raised| {
             let climbed = self.climb_by(raised, room, forward);
             if !climbed {
                 self.run.put_back(start);
             }
             climbed
-        });
-        // The body is now over the step, which no longer blocks. The rest of the frame meets what
-        // still does.
-        self.run.moved.wall &= !climbed;
-        climbed
+        })
     }
 
     /// How far the body must rise from its position for the ground ahead, found from `room` above

@@ -26,10 +26,11 @@ pub(super) struct Stride<'a, 'm, W, B> {
     pub(super) speed: u32,
     against: bool,
     pub(super) stepped: Fx,
+    snapped: Fx,
     /// The floor at the top of the last step climbed.
     pub(super) climbed: Option<Support>,
-    /// The end of a leg that was taken back to where the ground bends.
-    ahead: Option<Checkpoint<B>>,
+    /// The end of a leg that was taken back to where the ground bends, and the time left there.
+    ahead: Option<(Checkpoint<B>, Toi)>,
     /// The start of the last leg; for a chord, the start of the leg that led to it.
     before: Checkpoint<B>,
     /// Whether it lands on level ground in this frame.
@@ -67,6 +68,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             speed: tangential(speed, up),
             against: speed < 0,
             stepped: Fx::ZERO,
+            snapped: Fx::ZERO,
             climbed: None,
             ahead: None,
             before: run.here(),
@@ -100,7 +102,11 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             let bends = if W::ROUND && self.run.on_chord {
                 self.leave_chord(ground.as_ref())
             } else {
-                legs < Mover::ITERATIONS && self.follow(d, ground.as_ref())
+                legs < Mover::ITERATIONS
+                    && ground.is_some_and(|ground| {
+                        let drop = ground.drop();
+                        way(drop) > NEAR && self.follow(d, (self.run.rest, Toi::ZERO), drop, ground.entry.normal)
+                    })
             };
             if !bends {
                 break ground;
@@ -146,19 +152,24 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         let Ground { d, entry, feature } = hit;
         let time = self.run.rest.raw() - self.run.after.raw();
         let toi = Toi::ONE.raw() - self.run.rest.raw() + mul_div(time, entry.num, entry.den);
-        self.run.record(entry.normal, feature, Toi::clamped(toi));
         let side = self.walker.mover.side(entry.normal);
-        self.run.meet(side);
         let made = self.run.advance(self.world, *d, entry);
-        self.run.rest = Toi::clamped(self.run.after.raw() + mul_div(time, entry.den - entry.num, entry.den));
+        let left = mul_div(time, entry.den - entry.num, entry.den);
+        self.run.rest = Toi::clamped(self.run.after.raw() + left);
         let on_chord = W::ROUND && self.run.on_chord;
         (self.run.after, self.run.on_chord) = (Toi::ZERO, false);
+        let climbs = side == SurfaceRole::Wall && self.climb();
+        if side != SurfaceRole::Floor && !climbs && !on_chord && self.ducks(made, Toi::clamped(time - left)) {
+            return true;
+        }
+        self.run.record(entry.normal, feature, Toi::clamped(toi));
+        self.run.meet(side);
         match side {
             SurfaceRole::Floor => {
-                if let Some(ahead) = self.ahead.take().filter(|_| way(made) <= NEAR) {
+                if let Some((end, left)) = self.ahead.take().filter(|_| way(made) <= NEAR) {
                     // It was a ledge, not a bend.
-                    self.run.put_back(ahead);
-                    self.run.rest = Toi::ZERO;
+                    self.run.put_back(end);
+                    self.run.rest = left;
                     return true;
                 }
                 self.floor = entry.normal;
@@ -167,7 +178,11 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 }
                 true
             }
-            SurfaceRole::Wall if self.climb() => true,
+            // It is over the step now. The rest of the frame meets the walls that still block.
+            _ if climbs => {
+                self.run.moved.wall = false;
+                true
+            }
             _ if self.squeeze() => true,
             _ => {
                 // A body that is blocked at once does not creep along by roundings, unless they
@@ -182,6 +197,30 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 false
             }
         }
+    }
+
+    /// Continues along lower ground, if a leg that a wall or a ceiling blocks had left its floor
+    /// behind. Returns whether it does. No way along the ground leads to that hit, so the hit does
+    /// not count.
+    ///
+    /// In a tunnel that bends down, a straight leg passes the bend and meets the ceiling.
+    #[inline(never)]
+    fn ducks(&mut self, made: Raw, used: Toi) -> bool {
+        if way(made) <= NEAR {
+            return false;
+        }
+        let Some(Ground { d: down, entry, .. }) = self.look_down() else { return false };
+        let (drop, n) = (entry.displacement(down), entry.normal);
+        if way(drop) <= NEAR || self.walker.mover.side(n) != SurfaceRole::Floor {
+            return false;
+        }
+        if self.follow(made, (used, self.run.rest), drop, n) {
+            return true;
+        }
+        // No bend, but a ledge.
+        self.snapped += length(self.run.advance(self.world, down, &entry));
+        (self.floor, self.ahead) = (n, None);
+        true
     }
 
     /// Continues from where a leg is blocked: by the longest free way along a floor, or level. The
@@ -267,8 +306,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         true
     }
 
-    /// After a whole leg: whether the ground under it bent down. Then a part of the leg follows the
-    /// new floor.
+    /// After a leg: whether the ground under it bent down. Then a part of the leg follows the new
+    /// floor, and its time is added to the time `left`.
     ///
     /// ```text
     ///   o--->X----> d       The line of the leg meets the line of the ground at its end, `drop` below, in X.
@@ -276,11 +315,10 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     ///        `.  `.v
     ///          `.  o
     /// ```
-    fn follow(&mut self, d: Raw, ground: Option<&Ground>) -> bool {
-        let Some(ground) = ground else { return false };
-        let (drop, n) = (ground.drop(), ground.entry.normal);
+    #[inline(never)]
+    fn follow(&mut self, d: Raw, (used, left): (Toi, Toi), drop: Raw, n: Axis) -> bool {
         let (depth, away) = (n.dot(Axis::new(drop.x, drop.y)).wrapping_neg(), n.dot(Axis::new(d.x, d.y)));
-        if way(drop) <= NEAR || depth <= 0 || away <= 0 || self.walker.mover.side(n) != SurfaceRole::Floor {
+        if depth <= 0 || away <= 0 || self.walker.mover.side(n) != SurfaceRole::Floor {
             return false;
         }
         // Two raw units beyond it: before it, the new floor's direction would lead into the old
@@ -294,8 +332,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         if self.run.commit(self.world, d.reversed(), &[back, higher]).is_zero() {
             return false;
         }
-        self.run.rest = Toi::clamped((umul(self.run.rest.raw(), part.raw()) >> 30) as u32);
-        (self.floor, self.ahead) = (n, Some(end));
+        self.run.rest = Toi::clamped(left.raw() + (umul(used.raw(), part.raw()) >> 30) as u32);
+        (self.floor, self.ahead) = (n, Some((end, left)));
         true
     }
 
@@ -305,7 +343,6 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         if support.is_none() && ground.is_some() {
             support = self.run.floor_near(self.world, &self.walker.mover, self.up);
         }
-        let mut snapped = Fx::ZERO;
         self.run.v =
             if support.is_some() { tangent(self.speed, self.up, self.against) } else { self.velocity(Toi::ONE) };
         self.run.motion = self.velocity(self.run.rest);
@@ -314,9 +351,9 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             // Roundings do not pull down a body that does not walk, either.
             if way(ground.drop()) > NEAR || self.speed != 0 {
                 let made = self.run.advance(self.world, ground.d, &ground.entry);
-                snapped = if way(made) > NEAR { length(made) } else { Fx::ZERO };
+                self.snapped += if way(made) > NEAR { length(made) } else { Fx::ZERO };
             }
         }
-        Footing { floor: support, stepped: self.stepped, snapped }
+        Footing { floor: support, stepped: self.stepped, snapped: self.snapped }
     }
 }
