@@ -62,8 +62,8 @@ pub(super) struct Kept<S> {
     pub(super) drift: Drift,
 }
 
-/// The mode of a slot, and above it the sides to which it is blocked. In one byte, they leave a slot
-/// at 88 bytes, and so a snapshot of 64 bodies below 8 KB.
+/// The mode of a slot, and above it the sides to which it is blocked. In one byte, they leave a
+/// slot at 88 bytes, and so a snapshot of 64 bodies below 8 KB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Status(u8);
 

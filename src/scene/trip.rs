@@ -266,8 +266,8 @@ impl<V> Trip<'_, V> {
 
     /// Updates a body that has come this far.
     pub(super) fn arrive<S: BodyShape>(&self, slot: &mut Slot<S>, by: Vec2, support: u8, free: bool) {
-        // In a heap, weight makes bodies push each other all the time. Without weight, a push ends, or
-        // there is no room and nothing moves.
+        // In a heap, weight makes bodies push each other all the time. Without weight, a push ends,
+        // or there is no room and nothing moves.
         let weight = slot.body.weight(self.gravity);
         let moves = (by, slot.body.velocity) != (Vec2::ZERO, Vec2::ZERO);
         let pressed = moves && weight == Vec2::ZERO && size(slot.tally.push()) > self.still();

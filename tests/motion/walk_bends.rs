@@ -1,5 +1,5 @@
-//! Tunnels of one height that bend down and up. A walker that fits keeps its speed around each bend,
-//! however little room the ceiling leaves.
+//! Tunnels of one height that bend down and up. A walker that fits keeps its speed around each
+//! bend, however little room the ceiling leaves.
 //!
 //! `TILESAT_CASES` sets the number of starts (default 64).
 
@@ -207,8 +207,8 @@ fn tunnels_with_a_ledge() {
     });
 }
 
-/// Stairs of blocks under a ceiling of the same stairs. It hits a box that leaves a tread later than
-/// the box leaves it.
+/// Stairs of blocks under a ceiling of the same stairs. It hits a box that leaves a tread later
+/// than the box leaves it.
 #[test]
 fn tunnels_of_stairs() {
     const CELL: i64 = 4 * PX;

@@ -169,8 +169,8 @@ fn along_an_end(level: &Level, there: &Body, touched: &Touched, v: P) -> Option<
 }
 
 /// How a circle of velocity `v` came to the surface that it hits after a leg. It lay there if it is
-/// as near as roundings leave it, or as a step along a corner's tangent, which rises by `s^2 / 2 rho`
-/// over a way `s` of at most a quarter of `rho`. `None` if a raw unit would decide that.
+/// as near as roundings leave it, or as a step along a corner's tangent. That rises by
+/// `s^2 / 2 rho` over a way `s` of at most a quarter of `rho`. `None` if a raw unit would decide.
 fn came(leg: V, v: V, hit: &Hit) -> Option<Came> {
     let n = (f64::from(hit.axis.x), f64::from(hit.axis.y));
     let (rho, was) = (n.0.hypot(n.1), (n.0 - leg.0).hypot(n.1 - leg.1));
