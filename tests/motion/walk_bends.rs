@@ -130,8 +130,11 @@ impl Walk<'_> {
     }
 }
 
+/// The body of a kind at the start of a walk.
+type Bodies<'a> = dyn Fn(Kind) -> (Body, Shape) + 'a;
+
 /// All tunnels, runs, rooms and kinds of bodies, each from many starts.
-fn through_all(starts: i64, then: &mut dyn FnMut(&Walk<'_>, &dyn Fn(Kind) -> (Body, Shape))) {
+fn through_all(starts: i64, then: &mut dyn FnMut(&Walk<'_>, &Bodies<'_>)) {
     for (picture, steep) in TUNNELS {
         let ground = Ground::of(picture, 8, 8);
         for (run, spare) in RUNS.into_iter().flat_map(|run| SPARE.map(|spare| (run, spare))) {
@@ -207,8 +210,8 @@ fn tunnels_with_a_ledge() {
     });
 }
 
-/// Stairs of blocks under a ceiling of the same stairs. It hits a box that leaves a tread later
-/// than the box leaves it.
+/// Stairs of blocks under a ceiling of the same stairs. A box that leaves a tread too late hits the
+/// ceiling.
 #[test]
 fn tunnels_of_stairs() {
     const CELL: i64 = 4 * PX;
