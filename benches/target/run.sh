@@ -133,13 +133,13 @@ programs=(
 games=(
     'game_blocks:33 bodies among blocks, coins, ladders:46500:2400:45500:2400'
     'game_ninja:a ninja among all shapes:44000:64:44000:64'
-    'hero_blocks:a hero among blocks:23700:136:23700:136'
+    'hero_blocks:a hero among blocks:24300:136:24300:136'
     'hero_slopes:a hero among slopes:43200:136:42700:136'
     'hero_blocks_lift:a hero among blocks with a lift:37500:172:37500:172'
     'hero_slopes_lift:a hero among slopes with a lift:57100:172:56000:172'
     'hero_slopes_plank:a hero among slopes with a plank that turns:71900:224:71900:224'
-    'scene_blocks:a scene of 30 balls and boxes, among blocks:75000:6000:75000:6000'
-    'scene_blocks_lifts:a scene of 30 balls and boxes with lifts, among blocks:90000:6000:90000:6000'
+    'scene_blocks:a scene of 30 balls and boxes, among blocks:76500:6000:76500:6000'
+    'scene_blocks_lifts:a scene of 30 balls and boxes with lifts, among blocks:91500:6000:91500:6000'
     'scene_blocks_planks:a scene of 30 balls and boxes with planks, among blocks:119000:6000:119000:6000'
     'game_bullets:240 bullets, 32 enemies, pairs and events:70500:13800:70500:13800'
 )

@@ -36,6 +36,12 @@ fn sign(push: Vec2) -> Vec2 {
     Vec2::from_raw(x.signum(), y.signum())
 }
 
+/// The sides that stay blocked: those to which a body was not pushed, and did not go. Otherwise it
+/// would be free in every other step, and what lies on it would jitter.
+pub(super) fn still(blocked: u8, push: Vec2, made: Vec2) -> u8 {
+    blocked & !sides(push) & !sides(made)
+}
+
 /// Whether a push leads to a blocked side.
 pub(super) fn holds(blocked: u8, push: Vec2) -> bool {
     sides(push) & blocked != 0

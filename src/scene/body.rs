@@ -2,7 +2,7 @@
 //! each.
 
 use super::Shape;
-use super::blocked::in_vain;
+use super::blocked::{in_vain, still};
 use super::kernel::BodyShape;
 use super::way::{BodyWay, Drift};
 use crate::broad::{Handle, Keyed};
@@ -245,6 +245,15 @@ impl<S: BodyShape> Slot<S> {
         self.mode.is_awake()
     }
 
+    /// Notes the sides to which it was pushed in vain, in a step that moved it by `made`: by the
+    /// level, or since others pushed back.
+    pub(super) fn block(&mut self, by_level: u8, made: Vec2) {
+        let Tally { low, high, .. } = self.tally;
+        let (pushed, one_sided) = (low + high, low == Vec2::ZERO || high == Vec2::ZERO);
+        let by_others = if one_sided { 0 } else { in_vain(low, pushed) | in_vain(high, pushed) };
+        self.blocked = still(still(self.blocked, low, made), high, made) | by_level | by_others;
+    }
+
     /// Whether a look at its start is not enough.
     pub(super) fn is_fast(&self) -> bool {
         // Each is a motion: no sum wraps.
@@ -266,11 +275,6 @@ impl Tally {
     /// The sum of all pushes on it.
     pub(super) fn push(&self) -> Vec2 {
         self.low + self.high
-    }
-
-    /// The sides to which pushes from opposite sides leave it in vain.
-    pub(super) fn opposed(&self) -> u8 {
-        in_vain(self.low, self.push()) | in_vain(self.high, self.push())
     }
 
     pub(super) fn pushed(&mut self, by: Vec2) {

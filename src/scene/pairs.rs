@@ -7,7 +7,7 @@ use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::met::senses;
 use super::reply::{Replies, Reply};
-use super::way::Pace;
+use super::way::{Pace, size};
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::motion::Masses;
 use crate::motion::response::separate;
@@ -41,7 +41,7 @@ pub(super) fn tally<S: BodyShape>(
 ) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
-    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked));
+    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), gravity);
     // Other bodies push back the two lying bodies that a push parts. Pushing by the whole overlap
     // would go on for ever.
     let gently =
@@ -58,10 +58,14 @@ pub(super) fn tally<S: BodyShape>(
 }
 
 /// The pushes that part two bodies. One that is blocked tries its share again, and the other makes
-/// the whole way.
-fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8)) -> (Vec2, Vec2) {
+/// the whole way. Bodies that lie overlap by what gravity adds in two steps, and a little more:
+/// there it would make a heap jitter.
+fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), gravity: Vec2) -> (Vec2, Vec2) {
     let of = |masses: Masses| separate(contact, masses.share_of_a());
     let (by_a, by_b) = of(meeting.masses);
+    if size(by_b - by_a) <= size(gravity).saturating_mul(3) {
+        return (by_a, by_b);
+    }
     match (holds(a, by_a), holds(b, by_b)) {
         (true, false) if meeting.moves_b => (by_a, of(Masses::A_FIXED).1),
         (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, by_b),

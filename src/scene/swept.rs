@@ -358,7 +358,7 @@ where
         slot.way.since = Toi::ONE;
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
-        slot.blocked = in_vain(slot.tally.push(), by);
+        slot.block(in_vain(slot.tally.push(), by), by);
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {

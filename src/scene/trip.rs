@@ -140,7 +140,8 @@ impl<V> Trip<'_, V> {
         each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault> {
         go(slot, handle, by, near)?;
-        (slot.body.velocity, slot.blocked) = (made.velocity, slot.tally.opposed() | made.blocked);
+        slot.body.velocity = made.velocity;
+        slot.block(made.blocked, by);
         let (hits, flags) = (made.hits(), made.flags());
         self.arrive(slot, by, if made.floor { 0 } else { ALOFT }, hits.is_empty());
         if !hits.is_empty() {
@@ -163,12 +164,11 @@ impl<V> Trip<'_, V> {
         V: View<S>,
     {
         let (causes, start_of) = (self.causes(slot), Start::of(slot));
-        let (mut start, Causes { push, velocity, .. }) = (*body, causes);
+        let (mut start, mut blocked, Causes { push, velocity, .. }) = (*body, 0, causes);
         if push != Vec2::ZERO {
             start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
+            blocked = in_vain(push, start.position() - body.position());
         }
-        let blocked = in_vain(push, start.position() - body.position());
-        slot.blocked = slot.tally.opposed() | blocked;
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
         let mover = mover.with_responses(slot.body.responses);
         let result = self.view.go(&mover, (handle, &slot.body), &start, velocity);
@@ -179,6 +179,7 @@ impl<V> Trip<'_, V> {
         };
         let by = moved.position() - body.position();
         go(slot, handle, by, near)?;
+        slot.block(blocked, by);
         if !memory.is_empty() {
             let (at, made) = (handle.slot(), Made::of(causes, moved, blocked));
             keep(memory, at, made.as_ref().map(|made| Rest::of(made, start_of, by)));
