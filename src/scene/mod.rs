@@ -67,7 +67,8 @@
 //!   reason, is [held](SceneEvent::Held): it stays and has no velocity.
 //! - **Bodies may overlap** after a step, if the level leaves no room or many push. The next step
 //!   finds how deep, and pushes again. Of a body that was pushed in vain, others then come out the
-//!   whole way. A heavy body comes two steps deep into a light one at a wall, and no deeper.
+//!   whole way. A heavy body comes into a light one at a wall by two of its steps, and by what
+//!   gravity adds in three.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
 //! - **Order does not matter**, neither that of insertion nor that of the broad phase, nor the
 //!   choice of broad phase. For this, keys must be unique (otherwise slots decide). Only events
@@ -147,10 +148,10 @@
 //! # Cost
 //!
 //! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
-//! [`SortSweep`](crate::broad::SortSweep): 223 000 instructions per step while they fly and land,
-//! at most 437 000, most of them the mover's. 849 000 if all lie in nooks of slopes and none may
-//! sleep; 32 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for an
-//! eighteenth of that: 47 000. Stack: 3.9 KB for such a step.
+//! [`SortSweep`](crate::broad::SortSweep): 221 000 instructions per step while they fly and land,
+//! at most 430 000, most of them the mover's. 804 000 if all lie in nooks of slopes and none may
+//! sleep; 57 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for a
+//! fifteenth of that: 53 000. Stack: 3.9 KB for such a step.
 //! [`Scene`] has flash and stack of more kinds of scenes.
 //!
 //! # Games in a scene
