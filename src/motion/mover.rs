@@ -63,8 +63,8 @@ impl Mover {
         }
     }
 
-    /// A mover that distinguishes floor, wall and ceiling. `up` may have any [length](Axis); zero means
-    /// no up. On a screen whose y grows downward it is [`Axis::NEG_Y`].
+    /// A mover that distinguishes floor, wall and ceiling. `up` may have any [length](Axis); zero
+    /// means no up. On a screen whose y grows downward it is [`Axis::NEG_Y`].
     #[must_use]
     pub const fn platformer(up: Axis) -> Self {
         Self { up: if up.is_zero() { None } else { Some(up.with_opposite()) }, ..Self::new() }
@@ -165,8 +165,8 @@ impl<S: Law> Mover<S> {
         Self { limit: SlopeLimit { rise, run }, ..self }
     }
 
-    /// The same mover that passes one-way faces, or no longer does. Use it while a player wants to
-    /// drop through a platform. The response may be any; hits are [`Response::DropThrough`]'s.
+    /// The same mover that passes one-way faces, or no longer does, with any response. Use it while
+    /// a player drops through a platform. Hits report the faces as with [`Response::DropThrough`].
     ///
     /// Gravity must act in that frame: the body passes only what it moves into. A body that stands
     /// and has no downward velocity stands on. One frame is enough if it moves into the face by a

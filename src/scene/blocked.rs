@@ -1,8 +1,8 @@
-//! The sides to which the level did not let a push move a body.
+//! The sides to which a body was last pushed in vain: against the level, or against others.
 //!
-//! Two bodies that overlap part by their masses. If the level holds one of them, its share is lost:
-//! a heavy body would sink into a light one at a wall, and pass through it. So a body remembers to
-//! which sides it was blocked in the last step. From there the other body makes the whole way.
+//! Two bodies that overlap part by their masses. If something holds one of them, its share is lost:
+//! a heavy body would sink into a light one at a wall, and pass through it. So a body remembers the
+//! sides to which it is blocked. From there the other body makes the whole way.
 
 use crate::num::Vec2;
 

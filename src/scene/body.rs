@@ -172,7 +172,7 @@ pub(super) struct Slot<S> {
     pub(super) support: u8,
     /// The slot of that fixed body.
     pub(super) ground: u16,
-    /// The [sides](super::blocked) to which the level did not let it be pushed in the last step.
+    /// The [sides](super::blocked) to which it was last pushed in vain.
     pub(super) blocked: u8,
     pub(super) tally: Tally,
     pub(super) way: BodyWay,

@@ -55,6 +55,13 @@ struct Plane {
     cell: P,
 }
 
+impl Plane {
+    /// How far a circle has risen off a corner.
+    fn gap(&self) -> f64 {
+        self.normal.0.hypot(self.normal.1) - self.radius
+    }
+}
+
 /// Whether a body is over a face that continues from cell to cell. `None` within some raw units of
 /// where that changes.
 fn is_over(level: &Level, body: &Body, plane: &Plane, fronts: bool) -> Option<bool> {
@@ -96,7 +103,7 @@ impl Touched {
             let out = n.0 * leg.0 + n.1 * leg.1;
             if plane.corner {
                 // A step along its tangent rises by so much.
-                let gap = n.0.hypot(n.1) - plane.radius - (leg.0 * leg.0 + leg.1 * leg.1) / (2.0 * plane.radius);
+                let gap = plane.gap() - (leg.0 * leg.0 + leg.1 * leg.1) / (2.0 * plane.radius);
                 certain &= !lies || (gap - Self::NEAR).abs() > 3.0;
                 // A turn of a quarter of the normal is the limit, which roundings decide.
                 let turn = 4.0 * leg.0.hypot(leg.1) / plane.radius;
@@ -132,8 +139,7 @@ impl Touched {
             }
         }
         let lies = self.came == Came::Lay;
-        self.planes
-            .retain(|plane| !plane.corner || lies && plane.normal.0.hypot(plane.normal.1) - plane.radius <= Self::NEAR);
+        self.planes.retain(|plane| !plane.corner || lies && plane.gap() <= Self::NEAR);
         Some(lies)
     }
 
@@ -184,7 +190,7 @@ fn came(leg: V, v: V, hit: &Hit) -> Option<Came> {
             None
         };
     }
-    let off = (leg.0 * n.0 + leg.1 * n.1).abs() / rho - Touched::NEAR * (n.0.abs() + n.1.abs()) / rho;
+    let off = ((leg.0 * n.0 + leg.1 * n.1).abs() - Touched::NEAR * (n.0.abs() + n.1.abs())) / rho;
     if off < -3.0 {
         return Some(Came::Lay);
     } else if off < 3.0 {
