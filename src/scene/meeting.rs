@@ -7,6 +7,7 @@ use super::way::size;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
 use crate::num::{Axis, Ratio, Vec2, mul_div};
+use core::num::NonZeroU8;
 
 /// How two overlapping bodies act on each other.
 #[derive(Clone, Copy)]
@@ -94,10 +95,10 @@ impl Meeting {
         let own = Self::of(a, b, (axis, reply), gravity)?;
         let slick = own.surface.friction() == Ratio::ZERO && !own.sticks;
         Some(match Top::of(axis, toward(gravity)) {
-            Top::A if own.moves_a && carries(slots, b, gravity, slick) => {
+            Top::A if own.moves_a && carries(slots, (b, a), gravity, slick) => {
                 Self::onto(slots, b, a, (axis.reversed(), reply), gravity).swapped()
             }
-            Top::B if own.moves_b && carries(slots, a, gravity, slick) => {
+            Top::B if own.moves_b && carries(slots, (a, b), gravity, slick) => {
                 Self::onto(slots, a, b, (axis, reply), gravity)
             }
             _ => own,
@@ -147,13 +148,21 @@ impl Meeting {
 /// do, and the push that it gets goes into the ground. If it gave way, a pile would sink into
 /// itself.
 ///
-/// False if it rises from its carrier. With friction, also false if it moves sideways on the
-/// carrier by more than gravity gives in a step: then it takes the one on top along.
-fn carries<S: BodyShape>(slots: &[Slot<S>], lower: &Slot<S>, gravity: Vec2, slick: bool) -> bool {
-    let v = lower.body.velocity - lower.ground_velocity(slots);
-    lower.support != ALOFT
-        && gravity.dot(v) >= 0
-        && (slick || gravity.perp_dot(v).unsigned_abs() <= gravity.length_squared())
+/// False if the two rise from the ground, seen by their momentum. A light body that bounces under a
+/// heavy one does not: if it gave way each time, the two would never rest. With friction, also
+/// false if it moves sideways on the carrier by more than gravity gives in a step: then it takes
+/// the one on top along.
+fn carries<S: BodyShape>(slots: &[Slot<S>], (lower, upper): (&Slot<S>, &Slot<S>), gravity: Vec2, slick: bool) -> bool {
+    if lower.support == ALOFT {
+        return false;
+    }
+    let ground = lower.ground_velocity(slots);
+    let v = lower.body.velocity - ground;
+    // 2^58 at most, which times a mass is too much.
+    let momentum =
+        |v: Vec2, slot: &Slot<S>| (gravity.dot(v) >> 5) * i64::from(slot.body.mass.map_or(0, NonZeroU8::get));
+    let sinks = momentum(v, lower) + momentum(upper.body.velocity - ground, upper) >= 0;
+    sinks && (slick || gravity.perp_dot(v).unsigned_abs() <= gravity.length_squared())
 }
 
 /// How many bodies are between a body on top and the carrier of all, if the one below it has

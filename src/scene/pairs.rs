@@ -79,7 +79,7 @@ fn half(v: Vec2) -> Vec2 {
 }
 
 /// How two bodies that run into each other change their velocities.
-pub(super) fn kick<S: BodyShape>(slots: &mut [Slot<S>], pair: Pair, gravity: Vec2, replies: &mut impl Replies) {
+pub(super) fn kick<S: BodyShape, R: Replies>(slots: &mut [Slot<S>], pair: Pair, gravity: Vec2, replies: &mut R) {
     let Some((a, b)) = both(slots, pair) else { return };
     if senses(a, b) {
         return;
@@ -87,11 +87,16 @@ pub(super) fn kick<S: BodyShape>(slots: &mut [Slot<S>], pair: Pair, gravity: Vec
     let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
     let carried = upper(a, b, Some(&contact), gravity).is_some_and(|top| is_carried(a, b, top));
     let hit = |meeting: &Meeting| if carried { meeting.lands(gravity) } else { meeting.is_hit() };
-    // Most pairs that touch do not approach, whatever the reply is. That is found first.
     let met = |reply| Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity).filter(hit);
-    let Some(meeting) = met(Reply::Meet) else { return };
+    // Most pairs that touch do not approach, whatever the reply is. That is found first. Friction
+    // decides whether one counts as the ground of the other: `Bounce` has none, `Touch` has all.
+    let by_surfaces = met(Reply::Meet);
+    let others = || R::ASKS && (met(Reply::Bounce).is_some() || met(Reply::Touch).is_some());
+    if by_surfaces.is_none() && !others() {
+        return;
+    }
     let reply = replies.to(pair);
-    let Some(meeting) = (if reply == Reply::Meet { Some(meeting) } else { met(reply).filter(|_| reply.acts()) }) else {
+    let Some(meeting) = (if reply == Reply::Meet { by_surfaces } else { met(reply).filter(|_| reply.acts()) }) else {
         return;
     };
     let hits = |slot: &Slot<S>, moves: bool| if moves { slot.tally.hits } else { 0 };

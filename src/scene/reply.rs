@@ -64,6 +64,8 @@ impl Answer for Reply {
 
 /// The game's answers, as a step asks for them.
 pub(super) trait Replies {
+    /// Whether there is more than one answer.
+    const ASKS: bool;
     const CROSSES: bool;
     fn to(&mut self, pair: Pair) -> Reply;
 }
@@ -72,6 +74,7 @@ pub(super) trait Replies {
 pub(super) struct Unasked;
 
 impl Replies for Unasked {
+    const ASKS: bool = false;
     const CROSSES: bool = false;
     fn to(&mut self, _: Pair) -> Reply {
         Reply::Meet
@@ -82,6 +85,7 @@ impl Replies for Unasked {
 pub(super) struct Asked<F>(pub(super) F);
 
 impl<A: Answer, F: FnMut(Pair) -> A> Replies for Asked<F> {
+    const ASKS: bool = true;
     const CROSSES: bool = A::CROSSES;
     fn to(&mut self, pair: Pair) -> Reply {
         (self.0)(pair).reply()

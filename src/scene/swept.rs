@@ -19,7 +19,7 @@ use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
-use super::way::{BodyWay, End, Pace, TURNS, later, size};
+use super::way::{BodyWay, End, Pace, TURNS, common, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -82,6 +82,17 @@ fn pushed<S>(slot: &Slot<S>) -> Vec2 {
     if slot.way.met.1 == 0 { slot.way.rate - slot.body.velocity } else { Vec2::ZERO }
 }
 
+/// A body comes to lie on one that something carries in this step.
+fn settle_on<S: BodyShape>(slots: &[Slot<S>], upper: &mut Slot<S>, lower: &Slot<S>, at: Handle) {
+    if lower.way.aloft || lower.support == ALOFT {
+        return;
+    }
+    if upper.way.aloft {
+        (upper.support, upper.ground, upper.way.aloft) = (ALOFT, NOBODY, false);
+    }
+    upper.lie_on(slots, lower, at);
+}
+
 struct Sweep<'a, B, V, S, R> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
@@ -128,10 +139,9 @@ where
         for handle in self.movers {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if slot.way.pace == Pace::Swept {
-                (slot.support, slot.ground) = (ALOFT, NOBODY);
                 slot.body.velocity += slot.tally.kick;
                 let rate = slot.body.velocity + slot.tally.push();
-                slot.way = BodyWay { pace: Pace::Swept, since: Toi::ZERO, ..BodyWay::made(rate) };
+                slot.way = BodyWay { pace: Pace::Swept, since: Toi::ZERO, aloft: true, ..BodyWay::made(rate) };
                 self.stepped.moved += 1;
             } else {
                 self.margin = self.margin.max(size(slot.way.rate));
@@ -158,10 +168,10 @@ where
     }
 
     /// Lets the bodies that `whom` selects find the ends of their ways.
-    fn look_again(&mut self, whom: impl Fn(u16, End) -> bool) {
+    fn look_again(&mut self, whom: impl Fn(u16, &BodyWay) -> bool) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
-            if slot.way.pace != Pace::Swept || !whom(handle.slot() as u16, slot.way.end.1) {
+            if slot.way.pace != Pace::Swept || !whom(handle.slot() as u16, &slot.way) {
                 continue;
             }
             let end = self.look(handle, &slot);
@@ -188,8 +198,7 @@ where
         let mut rank = (0, 0);
         let replies = &mut *self.replies;
         each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
-            let waits = slot.way.waits() && (at.way.pace != Pace::Swept || at.way.waits());
-            if waits || senses(slot, at) {
+            if slot.way.ignores(&at.way) || senses(slot, at) {
                 return;
             }
             let Some(met) = Met::of((handle, slot), (other, at)) else { return };
@@ -210,7 +219,7 @@ where
         self.sense(handle, &slot, time);
         let touched = self.trip.touch(&slot.body, slot.way.left(slot.way.since));
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
-        slot.way.turns += 1;
+        slot.way.turns += u8::from(slot.way.turns < TURNS);
         let mut push = pushed(slot);
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
@@ -220,14 +229,14 @@ where
             // It is pushed along the surface.
             push = Surface::SLICK.respond(push, hit.axis).unwrap_or(Vec2::ZERO);
             if floor {
-                (slot.support, slot.ground) = (0, NOBODY);
+                (slot.support, slot.ground, slot.way.aloft) = (0, NOBODY, false);
             }
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags, velocity });
         }
-        slot.way.go_on(time, slot.body.velocity + push);
+        slot.way.go_on(time, if slot.way.waits() { Vec2::ZERO } else { slot.body.velocity + push });
         let at = handle.slot() as u16;
-        self.look_again(|other, end| other == at || end == End::Body(at));
+        self.look_again(|other, way| other == at || way.depends_on(at));
     }
 
     /// Handles a meeting of two bodies.
@@ -248,7 +257,7 @@ where
             slot.way.turns = TURNS;
         }
         let at = handle.slot() as u16;
-        self.look_again(|other, end| [at, with].contains(&other) || end == End::Body(at) || end == End::Body(with));
+        self.look_again(|other, way| [at, with].contains(&other) || way.depends_on(at) || way.depends_on(with));
     }
 
     #[inline(never)]
@@ -268,6 +277,7 @@ where
         let Some((one, other)) = super::pairs::both(self.slots, met.pair) else { return };
         let (mut one, mut other) = (*one, *other);
         let again = one.way.has_met(b) || other.way.has_met(a);
+        let together = common(one.way.rate, other.way.rate);
         let (push, push_of_other) = (pushed(&one), pushed(&other));
         if !again {
             let speed = met.axis.approach(other.body.velocity - one.body.velocity);
@@ -284,32 +294,45 @@ where
                 }
             }
         }
-        match Top::of(met.axis, toward(self.trip.gravity)) {
-            Top::A if one.way.pace == Pace::Swept => one.lie_on(self.slots, &other, b),
-            Top::B if other.way.pace == Pace::Swept => other.lie_on(self.slots, &one, a),
+        let top = Top::of(met.axis, toward(self.trip.gravity));
+        match top {
+            Top::A if one.way.pace == Pace::Swept => settle_on(self.slots, &mut one, &other, b),
+            Top::B if other.way.pace == Pace::Swept => settle_on(self.slots, &mut other, &one, a),
             _ => {}
         }
         for (slot, with, push) in [(&mut one, b, push), (&mut other, a, push_of_other)] {
             if slot.way.pace == Pace::Swept {
-                slot.way.turns += u8::from(slot.way.turns < TURNS);
                 if !again {
                     slot.way.note(with);
                 }
                 // A body that it has already met leads it, with its own velocity.
-                let rate = if again { slot.way.rate } else { slot.body.velocity + push };
+                let rate = if again || slot.way.waits() { slot.way.rate } else { slot.body.velocity + push };
                 slot.way.go_on(met.time, rate);
             }
         }
-        // The rest of the two ways must not lead into each other, whatever the velocities are.
-        let masses = match (one.way.goes(), other.way.goes()) {
-            (true, true) => one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get())),
-            (true, false) => Some(Masses::B_FIXED),
-            (false, true) => Some(Masses::A_FIXED),
-            (false, false) => None,
+        // The rest of the two ways must not lead into each other, whatever the velocities are. A
+        // speed below the sum of the masses, in raw units, may be too low to be shared by them.
+        let yields = if top == Top::A { Masses::B_FIXED } else { Masses::A_FIXED };
+        let shared = one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get()));
+        let goes = (one.way.goes(), other.way.goes());
+        let masses = match goes {
+            (true, true) if again => [Some(yields), None],
+            (true, true) => [shared, Some(yields)],
+            (true, false) => [Some(Masses::B_FIXED), None],
+            (false, true) => [Some(Masses::A_FIXED), None],
+            (false, false) => [None, None],
         };
-        if let Some(masses) = masses {
+        for masses in masses.into_iter().flatten() {
             if let Ok(rates) = exchange(one.way.rate, other.way.rate, met.axis, masses, &Surface::SLICK) {
                 (one.way.rate, other.way.rate) = rates;
+            }
+        }
+        for (slot, goes_on) in [(&mut one, goes.1), (&mut other, goes.0)] {
+            if slot.way.pace == Pace::Swept && !(slot.way.waits() && goes_on) {
+                slot.way.turns += u8::from(slot.way.turns < TURNS);
+                if slot.way.waits() {
+                    slot.way.rate = together;
+                }
             }
         }
         for (at, from) in [(a, one), (b, other)] {
@@ -356,6 +379,9 @@ where
             slot.body.shape = touched.shape;
         }
         slot.way.since = Toi::ONE;
+        if slot.way.aloft {
+            (slot.support, slot.ground) = (ALOFT, NOBODY);
+        }
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
         slot.block(in_vain(slot.tally.push(), by), by);

@@ -18,10 +18,12 @@ pub(super) struct BodyWay {
     /// How often it was turned; 1 for a body that lay on others and has made its step.
     pub(super) turns: u8,
     pub(super) pace: Pace,
+    /// Nothing has carried it in this step yet. Its support is that of the last step.
+    pub(super) aloft: bool,
 }
 
-/// How often a way may be turned in a step. Then the body waits for the next one. Between plates
-/// that close there is no last time.
+/// How often a way may be turned in a step. Then the body waits for the next one, and goes along
+/// with those that it meets. Between plates that close there is no last time.
 pub(super) const TURNS: u8 = 8;
 
 /// How a body makes its step.
@@ -60,7 +62,15 @@ impl BodyWay {
 
     /// A way that has been made.
     pub(super) const fn made(rate: Vec2) -> Self {
-        Self { rate, since: Toi::ONE, end: (Toi::ONE, End::Step), met: ([0; 3], 0), turns: 0, pace: Pace::Slow }
+        Self {
+            rate,
+            since: Toi::ONE,
+            end: (Toi::ONE, End::Step),
+            met: ([0; 3], 0),
+            turns: 0,
+            pace: Pace::Slow,
+            aloft: false,
+        }
     }
 
     /// The rest of it at a time.
@@ -68,14 +78,25 @@ impl BodyWay {
         Toi::exact(Toi::ONE.raw().wrapping_sub(at.raw())).of(self.rate)
     }
 
-    /// Continues from a time on with another velocity.
-    pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2) {
-        (self.since, self.rate) = (time, if self.waits() { Vec2::ZERO } else { velocity });
+    /// Whether the body must look again if the one in a slot has turned. One that waits may have
+    /// ignored it.
+    pub(super) fn depends_on(&self, slot: u16) -> bool {
+        self.end.1 == End::Body(slot) || self.waits()
     }
 
-    /// Whether it is turned no more in this step.
+    /// Continues from a time on with another velocity.
+    pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2) {
+        (self.since, self.rate) = (time, velocity);
+    }
+
+    /// Whether it is turned no more in this step, only slowed down to the motion of others.
     pub(super) fn waits(&self) -> bool {
         self.turns >= TURNS
+    }
+
+    /// Whether it waits, and another way does not slow it down.
+    pub(super) fn ignores(&self, other: &Self) -> bool {
+        self.waits() && !other.goes() && common(self.rate, other.rate) == self.rate
     }
 
     /// The body is held: no hit moves it in this step.
@@ -104,6 +125,14 @@ impl BodyWay {
             (*place, *count) = (other.slot() as u16, *count + 1);
         }
     }
+}
+
+/// The motion that two have in common: on each axis the shorter one, and none in opposite
+/// directions.
+pub(super) fn common(a: Vec2, b: Vec2) -> Vec2 {
+    let of = |a: i32, b: i32| if a > 0 { a.min(b).max(0) } else { a.max(b).min(0) };
+    let ((ax, ay), (bx, by)) = (a.raw(), b.raw());
+    Vec2::from_raw(of(ax, bx), of(ay, by))
 }
 
 /// How far a way leads at most.

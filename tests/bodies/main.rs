@@ -17,6 +17,7 @@ mod rollback;
 mod scene_change;
 mod scene_levels;
 mod scene_lifts;
+mod scene_masses;
 mod scene_memory;
 mod scene_pushes;
 mod scene_replies;

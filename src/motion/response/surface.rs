@@ -62,9 +62,7 @@ impl Surface {
     /// A call that bounces applies its whole gravity `g`, whenever in the call the bounce is. A
     /// bounce faster than `g / (1 - restitution)` still loses energy. A slower one may regain as
     /// much as it loses, and go on for ever. With at least that speed here, a ball that bounces
-    /// lower and lower comes to rest: twice the gravity at restitution one half. In a
-    /// [`Scene`](crate::Scene), a heavy body on a lighter one needs more: eight times the gravity
-    /// for four times the mass.
+    /// lower and lower comes to rest: twice the gravity at restitution one half.
     #[must_use]
     pub const fn resting_below(self, normal_speed: Fx) -> Self {
         let raw = normal_speed.to_bits();
