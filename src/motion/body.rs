@@ -225,6 +225,12 @@ pub(super) mod kernel {
         fn core_box(&self) -> (Raw, Raw);
         /// The radius of its corners.
         fn rounding(&self) -> i32;
+        /// The foremost one of its lowest corners, and how far its foremost part is ahead of that,
+        /// rounded up. The two directions are across each other.
+        fn foot(&self, up: Axis, forward: Axis) -> (Raw, i32) {
+            let _ = forward;
+            (self.toward(up.reversed()).0, self.rounding())
+        }
         /// The part that meets an arc: a point, and the radius of the disc around it.
         fn toward(&self, quadrant: Axis) -> (Raw, i32);
         /// The corner, and the radius around it, that an entry with a step is of: through the disc

@@ -64,6 +64,11 @@ macro_rules! angular {
                 Convex::rounding(self)
             }
 
+            fn foot(&self, up: Axis, forward: Axis) -> (Raw, i32) {
+                let corners = self.outline();
+                Core { corners: &corners, radius: Convex::rounding(self) }.foot(up, forward)
+            }
+
             fn toward(&self, way: Axis) -> (Raw, i32) {
                 let (corners, radius) = (self.outline(), Convex::rounding(self));
                 let core = Core { corners: &corners, radius };

@@ -1,7 +1,7 @@
 //! The verbs of compounds: their bounding boxes first, then their parts.
 
-use super::cast::CastShape;
 use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside, Moment};
+use super::cast::{CastShape, share};
 use super::closest::{ClosestPoint, Distance};
 use super::contact::{Contact, Contacts};
 use super::convex::{Manifold, Manifolds};
@@ -22,16 +22,20 @@ fn order(axis: Axis) -> (u32, u32, i32, i32) {
     (axis.x.unsigned_abs(), axis.y.unsigned_abs(), axis.x, axis.y)
 }
 
-/// Of two that are as deep, that which is farther along x, then along y.
+/// Of two that are as deep, that which is farther along x, then along y. The rest of the key makes
+/// different contacts differ.
+fn rank(c: &Contact) -> impl Ord + use<> {
+    let points = (c.point_on_a().raw(), c.point_on_b().raw());
+    let of_what = (c.overlap, c.core.x, c.core.y, c.radius_a, c.radius_b, c.is_degenerate());
+    (core::cmp::Reverse(c.depth()), order(c.axis()), points, of_what)
+}
+
 fn deepest(contacts: impl Iterator<Item = Contact>) -> Option<Contact> {
-    least(contacts, |c| (core::cmp::Reverse(c.depth()), order(c.axis()), c.point_on_a().raw(), c.point_on_b().raw()))
+    least(contacts, rank)
 }
 
 fn deepest_manifold(all: impl Iterator<Item = Manifold>) -> Option<Manifold> {
-    least(all, |m| {
-        let c = m.deepest().contact;
-        (core::cmp::Reverse(c.depth()), order(c.axis()), c.point_on_a().raw(), c.point_on_b().raw())
-    })
+    least(all, |m| rank(&m.deepest().contact))
 }
 
 /// The course of several parts: inside where one is, else the earliest hit.
@@ -42,7 +46,10 @@ fn first<M: Moment>(courses: impl Iterator<Item = Course<M>>, d: Raw) -> Course<
             Course::Free => {}
             Course::Inside => return Course::Inside,
             Course::Meets(moment) => {
-                let key = |m: &M| (m.exact_toi(d), order(m.contact(d).2));
+                let key = |m: &M| {
+                    let (toi, step, axis) = m.contact(d);
+                    (m.exact_toi(d), toi, order(axis), (step.x, step.y))
+                };
                 if best.as_ref().is_none_or(|kept| key(&moment) < key(kept)) {
                     best = Some(moment);
                 }
@@ -50,6 +57,34 @@ fn first<M: Moment>(courses: impl Iterator<Item = Course<M>>, d: Raw) -> Course<
         }
     }
     best.map_or(Course::Free, Course::Meets)
+}
+
+/// A displacement up to a hit, led back to where nothing overlaps: it is rounded away from the part
+/// that is hit, and may lead into another one. By 1, 2, 4, ... raw units along the motion, rounded
+/// to the motion on the other axis; where it starts, nothing overlaps.
+fn led_back(d: Raw, step: Raw, is_free: impl Fn(Raw) -> bool) -> Raw {
+    let (mut at, mut back) = (step, 1);
+    let steep = d.y.unsigned_abs() > d.x.unsigned_abs();
+    while !is_free(at) {
+        let of = |from: i32, by: i32| if back < from.unsigned_abs() { from - by * from.signum() } else { 0 };
+        at = if steep {
+            let y = of(step.y, back as i32);
+            Raw { x: share(d.x, y, d.y), y }
+        } else {
+            let x = of(step.x, back as i32);
+            Raw { x, y: share(d.y, x, d.x) }
+        };
+        if at.is_zero() {
+            break;
+        }
+        back <<= 1;
+    }
+    at
+}
+
+/// Whether two shapes overlap, as a motion of no length tells.
+fn is_inside<M>(course: &Course<M>) -> bool {
+    matches!(course, Course::Inside)
 }
 
 /// The nearest pair of points of those of the parts; none where a part touches.
@@ -121,6 +156,13 @@ impl<S: Single + Enter<B>, B: Extent, const M: usize> Enter<B> for Compound<S, M
             return Course::Free;
         }
         first(self.parts().iter().map(|part| part.enter(b, d)), d)
+    }
+
+    fn led_back(&self, b: &B, d: Raw, step: Raw) -> Raw {
+        led_back(d, step, |by| {
+            let meets = |part: &S| part.moved(by.vec2()).is_ok_and(|part| is_inside(&part.enter(b, Raw::ZERO)));
+            !self.parts().iter().any(meets)
+        })
     }
 }
 
@@ -196,6 +238,13 @@ macro_rules! against {
                     return Course::Free;
                 }
                 first(b.parts().iter().map(|part| self.enter(part, d)), d)
+            }
+
+            fn led_back(&self, b: &Compound<S, K>, d: Raw, step: Raw) -> Raw {
+                led_back(d, step, |by| {
+                    let moved = self.translated(by.vec2());
+                    !moved.is_ok_and(|a| b.parts().iter().any(|part| is_inside(&a.enter(part, Raw::ZERO))))
+                })
             }
         }
 

@@ -331,7 +331,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             piled |= slot.way.pace == Pace::Lies;
         }
         if fast {
-            self.let_go(replies);
+            self.let_go(trip, replies);
         }
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };

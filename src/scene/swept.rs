@@ -26,11 +26,14 @@ use crate::filter::Filter;
 use crate::motion::response::exchange;
 use crate::motion::{Hit, Hits, Masses, Surface};
 use crate::num::{Toi, Vec2};
+use crate::query::Touches;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Releases those that have nobody in reach: only the level matters to them.
+    /// Releases those that have nobody in reach: only the level matters to them. Also those that the
+    /// level holds, if nobody is in reach before a third body turns it: others meet them where they
+    /// are.
     #[inline(never)]
-    pub(super) fn let_go(&mut self, replies: &mut impl Replies) {
+    pub(super) fn let_go<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
         let widest = movers
@@ -40,12 +43,18 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             .unwrap_or(0);
         for &handle in movers {
             let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.way.pace == Pace::Swept) else { continue };
-            let mut alone = true;
-            near.in_region(&around(&slot.body.shape.aabb(), reach(slot).saturating_add(widest)), |other| {
-                let found = slots.get(other.slot()).filter(|at| alone && other != handle && may_meet(slot, at));
-                alone &= found.is_none_or(|at| replies.to(pair((handle, slot), (other, at))) == Reply::Ignore);
+            let (mut alone, mut apart) = (true, true);
+            let (bounds, far) = (slot.body.shape.aabb(), reach(slot));
+            near.in_region(&around(&bounds, far.saturating_add(widest)), |other| {
+                let found = slots.get(other.slot()).filter(|at| apart && other != handle && may_meet(slot, at));
+                let acts = |at: &&Slot<S>| replies.to(pair((handle, slot), (other, at))) != Reply::Ignore;
+                if let Some(at) = found.filter(acts) {
+                    let both = far.saturating_add(reach_of(memory, at, other.slot()));
+                    (alone, apart) = (false, !around(&bounds, both).touches(&at.body.shape.aabb()));
+                }
             });
-            if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| alone) {
+            let stays = alone || (apart && trip.stays(slot));
+            if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| stays) {
                 slot.way.pace = Pace::Slow;
             }
         }
@@ -167,11 +176,21 @@ where
         })
     }
 
-    /// Lets the bodies that `whom` selects find the ends of their ways.
+    /// Lets the bodies that `whom` selects find the ends of their ways. All look again if one is
+    /// held: some may have seen it move.
     fn look_again(&mut self, whom: impl Fn(u16, &BodyWay) -> bool) {
+        let mut held = self.look_each(whom);
+        while held {
+            held = self.look_each(|_, _| true);
+        }
+    }
+
+    /// Returns whether a body was held.
+    fn look_each(&mut self, whom: impl Fn(u16, &BodyWay) -> bool) -> bool {
+        let before = self.stepped.held;
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
-            if slot.way.pace != Pace::Swept || !whom(handle.slot() as u16, &slot.way) {
+            if slot.way.pace != Pace::Swept || slot.way.is_held() || !whom(handle.slot() as u16, &slot.way) {
                 continue;
             }
             let end = self.look(handle, &slot);
@@ -186,6 +205,7 @@ where
                 }
             }
         }
+        self.stepped.held != before
     }
 
     /// The first end of a body's way. Of bodies met at one time, the one with the smaller key, then

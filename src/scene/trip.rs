@@ -59,7 +59,7 @@ where
     }
 }
 
-/// A motion up to the first hit.
+/// A motion, of which the first hit is told.
 struct Touch<'t, W>(&'t Sliding, &'t W, Vec2);
 
 impl<S, W: World> Visit<S> for Touch<'_, W> {
@@ -84,6 +84,12 @@ impl<S, V: View<S>> Visit<S> for Slide<'_, '_, V, S> {
 }
 
 impl<V> Trip<'_, V> {
+    /// The mover of a body's own way.
+    fn bouncing<S: BodyShape>(&self, body: &SceneBody<S>) -> Sliding {
+        let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(body));
+        mover.with_responses(body.responses)
+    }
+
     /// One body's whole step.
     pub(super) fn make<S: BodyShape>(
         &self,
@@ -150,6 +156,22 @@ impl<V> Trip<'_, V> {
         Ok(())
     }
 
+    /// Whether the level holds a slow body where it is.
+    #[inline(never)]
+    pub(super) fn stays<S: BodyShape>(&self, slot: &Slot<S>) -> bool
+    where
+        V: View<S>,
+    {
+        let (shape, Causes { push, velocity, .. }) = (&slot.body.shape, self.causes(slot));
+        // The look costs as much as the step. What gravity has moved for two steps has come on.
+        if push != Vec2::ZERO || size(velocity) > size(self.gravity).saturating_mul(2) {
+            return false;
+        }
+        let (mover, level) = (self.bouncing(&slot.body), self.view.level(&slot.body));
+        let made = shape.visit(Touch(&mover, level, velocity));
+        made.is_ok_and(|made: Touched<S>| made.shape.position() == shape.position())
+    }
+
     /// First moves by the push, along the level, then by the velocity.
     fn travel<S: BodyShape, B: Body + Into<S>>(
         &self,
@@ -169,9 +191,7 @@ impl<V> Trip<'_, V> {
             start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
             blocked = in_vain(push, start.position() - body.position());
         }
-        let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(&slot.body));
-        let mover = mover.with_responses(slot.body.responses);
-        let result = self.view.go(&mover, (handle, &slot.body), &start, velocity);
+        let result = self.view.go(&self.bouncing(&slot.body), (handle, &slot.body), &start, velocity);
         // Matched by reference: it is long.
         let moved = match &result {
             Ok(moved) => moved,

@@ -227,3 +227,35 @@ fn what_a_game_changes_is_looked_at() {
     println!("{altered} altered");
     assert!(altered > 200, "{altered}");
 }
+
+/// A fast body rests in a V of two slopes, next to another one. Far away a faster one comes by, so
+/// the first is moved from hit to hit: but it is where memory says that it is.
+#[test]
+fn what_rests_in_a_v_rests_whoever_is_fast() {
+    static KINDS: TileKinds = TileKinds::EMPTY
+        .with(b'#', TileKind::FULL)
+        .with(b'l', TileKind::of(TileShape::SlopeBottomLeft))
+        .with(b'm', TileKind::of(TileShape::MildLowBottomRight));
+    let level = TileMap::<AllShapes>::of_ascii("......\n......\n.lm#..\n", &KINDS).unwrap();
+    fn play<const M: usize>(level: &TileMap<'_, AllShapes>) -> Vec<(Vec2, Vec2)> {
+        let mut scene = Scene::<SortSweep<4, SceneTag>, 4, M>::remembering(SortSweep::new(), Sleep::NEVER);
+        let ball = Circle::new(vec2(33 << 16, 36 << 16), Fx::from_bits(296_316)).unwrap();
+        let ball = scene.insert(&SceneBody { fast: true, ..SceneBody::new(ball, 1) }).unwrap();
+        let boxed = |x: i16, y: i16| Aabb::from_size(Vec2::from_ints(x, y), Vec2::from_ints(6, 6)).unwrap();
+        scene.insert(&SceneBody::new(boxed(54, 26), 2)).unwrap();
+        let far = scene.insert(&SceneBody { floats: true, ..SceneBody::new(boxed(600, 0), 3) }).unwrap();
+        (0..150)
+            .map(|frame| {
+                if frame == 100 {
+                    scene.set_velocity(far, Vec2::from_ints(0, -400)).unwrap();
+                }
+                scene.step(level, vec2(0, 16_384), |_| {}).unwrap();
+                let body = scene.body(ball).unwrap();
+                (body.shape.position(), body.velocity)
+            })
+            .collect()
+    }
+    let (looks, remembers) = (play::<0>(&level), play::<4>(&level));
+    assert!(looks[0] != looks[90] && looks[90..].iter().all(|seen| *seen == looks[90]), "{:?}", &looks[95..105]);
+    assert_eq!(looks, remembers);
+}

@@ -2,8 +2,9 @@
 //! them.
 
 use super::swept::{NOWHERE, PX, ball, body_of, boxed, launch, level, meetings, scene, vec2};
-use tilesat::Vec2;
+use core::num::NonZeroU8;
 use tilesat::scene::{SceneBody, Shape};
+use tilesat::{Aabb, Circle, Fx, Vec2};
 use tilesat_judge::{Random, cases};
 
 /// Whether a point that moves from `p` by `d` enters a box, borders excluded. Exact.
@@ -128,4 +129,30 @@ fn two_meet_where_their_ways_do() {
     }
     println!("{met} met, {missed} did not");
     assert!(met > 5_000 && missed > 5_000);
+}
+
+/// A body that cannot move, since it overlaps the level, is met where it is. Its order in the scene
+/// does not matter.
+#[test]
+fn held_bodies_are_met_where_they_are() {
+    let map = level("....\n.##.\n....");
+    let boxed = |x: i64, y: i64| Aabb::new(vec2(x << 16, y << 16), vec2((x + 8) << 16, (y + 4) << 16)).unwrap();
+    for (mass, speed) in [(206, 4), (1, 4), (20, 9)] {
+        let held = SceneBody { velocity: Vec2::from_ints(0, -3), ..SceneBody::new(boxed(41, 29), 5) };
+        let ball = Circle::new(Vec2::from_ints(43, 37), Fx::from_bits(2 << 16)).unwrap();
+        let velocity = Vec2::from_ints(3, -speed);
+        let ball = SceneBody { velocity, mass: NonZeroU8::new(mass), ..SceneBody::new(ball, 11) };
+        let run = |order: [SceneBody; 2]| {
+            let mut scene = scene(&order);
+            let mut seen = Vec::new();
+            for _ in 0..4 {
+                let stepped = scene.step(&map, Vec2::ZERO, |_| {}).unwrap();
+                seen.push((stepped.held, body_of(&scene, 5).velocity, body_of(&scene, 11).shape.position()));
+            }
+            seen
+        };
+        let seen = run([held, ball]);
+        assert_eq!(seen, run([ball, held]), "{mass} {speed}");
+        assert!(seen[0].0 == 1 && seen[0].1 == Vec2::ZERO && seen[0].2.y >= 35, "{seen:?}");
+    }
 }

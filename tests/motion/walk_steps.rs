@@ -1,7 +1,7 @@
 //! Walkers at steps, ledges, walls and wedges, to the raw unit.
 
 use tilesat::world::World;
-use tilesat::{Aabb, Axis, Joined, Mover, Solid, Solids, Walker};
+use tilesat::{Aabb, Axis, ConvexPolygon, Joined, Mover, Solid, Solids, Walker};
 use tilesat_judge::ground::{CELL, Frame, Ground, P, PX, Shape, fx, vec2};
 
 const BOX: Shape = Shape::Rect(5 * PX, 8 * PX);
@@ -267,6 +267,40 @@ fn a_one_way_wall_is_as_high_as_it_is() {
                     let beyond = end.at.0 > 8 * CELL;
                     assert_eq!(beyond, step > CELL, "{shape:?}, step {step}, by {speed}: {end:?}");
                 }
+            }
+        }
+    }
+}
+
+/// A polygon whose foot is narrower than its body meets the step with its middle, and comes down on
+/// the edge before its foot is over it. It climbs what its walker's step allows, however slowly it
+/// walks, and nothing higher.
+#[test]
+fn polygons_climb_on_a_narrow_foot() {
+    let hexagon = [(-2, -7), (2, -7), (5, 0), (2, 7), (-2, 7), (-5, 0)];
+    let trapezoid = [(-5, -7), (5, -7), (4, 7), (-4, 7)];
+    let kite = [(-5, -7), (5, -7), (0, 7)];
+    for corners in [&hexagon[..], &trapezoid, &kite] {
+        for left in [false, true] {
+            let side = if left { -1 } else { 1 };
+            for more in [-1, 0, 1] {
+                ledge(8 * PX + more, left).with_polygon(|map| {
+                    for speed in [0.3, 1.0, 1.5, 2.9, 3.0, 4.0, 9.0] {
+                        let speed = side * (speed * PX as f64) as i64;
+                        let at = |&(x, y): &(i64, i64)| vec2((x * PX - side * 12 * PX, y * PX - 7 * PX));
+                        let mut body = ConvexPolygon::<6>::new(&corners.iter().map(at).collect::<Vec<_>>()).unwrap();
+                        let (mut floor, walker, start) = (None, walker(8 * PX, 8 * PX), body.aabb().min());
+                        for _ in 0..400 {
+                            let walked = walker.walk(map, &body, vec2((speed, PX / 4)), floor).unwrap();
+                            (body, floor) = (walked.moved.body, walked.floor);
+                            if (body.aabb().min().x - start.x).abs() > 60 {
+                                break;
+                            }
+                        }
+                        let way = (body.aabb().min().x - start.x).abs();
+                        assert_eq!(way > 60, more <= 0, "{corners:?} left {left}, 8 + {more} raw, by {speed}: {way}");
+                    }
+                });
             }
         }
     }

@@ -6,6 +6,7 @@
 mod any_shapes;
 mod closest_ties;
 mod columns;
+mod compound_casts;
 mod convex;
 mod convex_lattice;
 mod convex_shapes;

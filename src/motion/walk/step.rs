@@ -67,8 +67,8 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
         let Some(ground) = self.run.look(self.world, down) else { return false };
         // The edge is no floor, however flatly the body meets it: the step's height counts.
         let corner = ground.entry.step.is_some();
-        let floor = if corner { self.beyond(&ground, room.sub(raised)) } else { self.walker.mover.support(&ground) };
-        let Some(floor) = floor else { return false };
+        let floor = if corner { None } else { self.walker.mover.support(&ground) };
+        let Some(floor) = floor.or_else(|| self.beyond(&ground, room.sub(raised))) else { return false };
         let fall = self.run.advance(self.world, down, &ground.entry);
         (self.floor, self.climbed) = (floor.axis, Some(floor));
         self.run.rest = rest;
@@ -107,22 +107,29 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
 
     /// The floor that carries the body on this ground.
     ///
-    /// A circle comes down to the edge of a step before it is over the step, or while it is still
-    /// beyond. It is then on its way. It stands if the same way down, started one radius farther
-    /// on, ends on level floor.
+    /// A circle, or a polygon on a narrow foot, comes down to the edge of a step before it is over
+    /// the step, or while it is still beyond. It is then on its way. It stands if the same way down,
+    /// started farther on by what is in front of its foot, ends on level floor.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }
 
     fn beyond(&mut self, ground: &Ground, raised: Raw) -> Option<Support> {
-        if !B::MEETS_CORNERS || ground.entry.step.is_none() {
+        if !B::MEETS_CORNERS || (!B::ANGULAR && ground.entry.step.is_none()) {
             return None;
         }
-        let forward = self.forward(self.run.moved.body.rounding() as u32);
+        let body = self.run.moved.body;
+        let (foot, overhang) = body.foot(self.up, self.facing());
+        let forward = self.forward(overhang as u32);
         if forward.is_zero() {
             return None;
         }
-        let beyond = self.run.look_from(self.world, raised.add(forward), ground.d.sub(raised))?;
+        let to = raised.add(forward);
+        // From within ground that is too high, what is behind the foot comes down to the old floor.
+        if B::ANGULAR && B::is_inside(self.world, foot.add(along(self.up, -body.rounding())).add(to)) {
+            return None;
+        }
+        let beyond = self.run.look_from(self.world, to, ground.d.sub(raised))?;
         self.walker.mover.support(&beyond)
     }
 

@@ -131,6 +131,11 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         tangent(if self.speed == 0 { 0 } else { length }, self.up, self.against)
     }
 
+    /// The direction that it faces.
+    pub(super) const fn facing(&self) -> Axis {
+        if self.against { self.up.perp().reversed() } else { self.up.perp() }
+    }
+
     /// The next way to make. After a landing on level ground this is the rest of the motion, to the
     /// last bit.
     fn leg(&mut self) -> Raw {

@@ -184,7 +184,7 @@ impl Walker {
     ///
     /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which
     /// takes several frames, and the ground one radius farther on must not be higher than the
-    /// step. Its `floor` is then the one that the step leads to. An edge that it meets no steeper
+    /// step. So does a polygon by a foot that is narrower than its body. Its `floor` is then the one that the step leads to. An edge that it meets no steeper
     /// than the slope limit is no step. Snapping and steps treat one-way faces as every motion
     /// does: the faces hold bodies that are entirely above them.
     ///

@@ -102,6 +102,13 @@ pub trait Enter<B: ?Sized>: InDomain {
         self.enter(b, d).map(|moment| moment.contact(d))
     }
 
+    /// A displacement up to the hit of `d`, led back to where it overlaps nothing of `b`. A single
+    /// shape's own is rounded to such a place.
+    #[inline]
+    fn led_back(&self, _b: &B, _d: Raw, step: Raw) -> Raw {
+        step
+    }
+
     /// The same without what times are computed from.
     #[inline]
     fn hits(&self, b: &B, d: Raw) -> Course<()> {
@@ -147,7 +154,9 @@ pub struct CastHit {
     /// the motion, give or take that rounding.
     pub axis: Axis,
     /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw
-    /// units short of it, and does not overlap it.
+    /// units short of it, and does not overlap it. A motion longer than 4096 units may end four raw
+    /// units short. Where a [`Compound`](crate::shape::Compound) is met between two parts, it is
+    /// led back to where it overlaps neither.
     ///
     /// Along an axis parallel to x or y it is exact. Each component is between zero and that of the
     /// motion: where the motion stays in the domain, so does the moved shape.

@@ -171,7 +171,7 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
 ///
 /// With it A makes `made` more, that is its own component times the same fraction, rounded to an
 /// integer: neither leaves its motion.
-const fn share(d: i32, made: i32, whole: i32) -> i32 {
+pub(super) const fn share(d: i32, made: i32, whole: i32) -> i32 {
     if made == 0 {
         return 0;
     }
@@ -181,7 +181,10 @@ const fn share(d: i32, made: i32, whole: i32) -> i32 {
 
 #[inline]
 fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) -> Option<CastHit> {
-    let met = |(toi, step, axis): (Toi, Raw, Axis)| CastHit { toi, axis, displacement: step.vec2(), inside: false };
+    let met = |(toi, step, axis): (Toi, Raw, Axis)| {
+        let displacement = a.led_back(b, d, step).vec2();
+        CastHit { toi, axis, displacement, inside: false }
+    };
     // In two steps on a chip, which has the stack of the first one back in the second.
     let course = if LONG { a.first_contact(b, d).map(met) } else { a.enter(b, d).map(|moment| met(moment.contact(d))) };
     match course {

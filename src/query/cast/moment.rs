@@ -8,7 +8,7 @@ use crate::num::{
     root128_down, root128_up, sqr_signed, sqr64, sub128, umul, usqr,
 };
 use crate::query::meet::circle_circle;
-use core::cmp::Ordering;
+use core::cmp::{Ordering, Reverse};
 
 /// When a point enters a disc: a lower bound of `c / (b + sqrt(rra - cross^2))`, with c = |m|^2 -
 /// r^2 and b = -m.d.
@@ -401,6 +401,14 @@ pub(super) fn corner_contact(m: Raw, r: i32, d: Raw) -> Option<(Toi, Raw, Axis)>
 /// The same of a ray, which touching stops; with the bound of its time.
 pub(in crate::query) fn touch_disc(m: Raw, r: i32, d: Raw) -> Option<(Toi, Disc)> {
     Crossing::touching(m, r, d).map(|crossing| (crossing.toi(m), Disc { m, crossing }))
+}
+
+impl Disc {
+    /// Of two that are met at one moment, the one with the lesser key opposes the motion more, then
+    /// is farther along x. The same for exchanged and for mirrored shapes.
+    pub(in crate::query) const fn order(&self) -> (Reverse<u64>, Reverse<u32>) {
+        (Reverse(self.crossing.b), Reverse(self.m.x.unsigned_abs()))
+    }
 }
 
 impl Moment for Disc {

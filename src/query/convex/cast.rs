@@ -120,10 +120,16 @@ fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<ConvexGate> 
 }
 
 /// The earlier of two discs, each with a lower bound of its moment that is early by less than four
-/// raw units of way. Exact if these do not decide.
+/// raw units of way. Exact if these do not decide. At one moment it is the one with the lower bound,
+/// then the one that opposes the motion more: neither depends on which shape is A.
 pub(super) fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
     let way = d.x.unsigned_abs().max(d.y.unsigned_abs());
-    if umul(s.raw().abs_diff(t.raw()), way) >> 32 == 0 { a.exact_toi(d) < b.exact_toi(d) } else { s < t }
+    if umul(s.raw().abs_diff(t.raw()), way) >> 32 == 0 {
+        let key = |at: Toi, disc: Disc| (disc.exact_toi(d), at, disc.order());
+        key(s, a) < key(t, b)
+    } else {
+        s < t
+    }
 }
 
 /// The side moved out by the radii, where the origin comes through it between its ends.
@@ -192,7 +198,9 @@ mod tests {
             }
             let (s, t) = (a.contact(d).0, b.contact(d).0);
             let exact = a.exact_toi(d).cmp(&b.exact_toi(d));
-            assert_eq!(is_earlier((s, a), (t, b), d), exact.is_lt(), "{m:?} {n:?} {radius} by {d:?}");
+            let first = is_earlier((s, a), (t, b), d);
+            assert_eq!(first, exact.then((s, a.order()).cmp(&(t, b.order()))).is_lt(), "{m:?} {n:?} {radius} by {d:?}");
+            assert!(!first || exact.is_le());
             near += 1;
             wrong += u64::from(s.cmp(&t) != exact);
             equal += u64::from(exact.is_eq());

@@ -5,7 +5,7 @@
 //! kept, and parallel sides come once, as one. One product pair a side orders it, one asks it where
 //! the origin is.
 
-use crate::num::{Axis, Raw, SPLIT, Vec2};
+use crate::num::{Axis, Raw, SPLIT, Vec2, imul};
 use crate::query::cast::moment::along;
 
 /// A shape's corners and radius.
@@ -50,6 +50,19 @@ impl Core<'_> {
             }
         }
         (first, last)
+    }
+
+    /// The foremost one of the lowest corners, and how far the border is ahead of it, rounded up.
+    /// The two directions are across each other.
+    pub(crate) fn foot(&self, up: Axis, forward: Axis) -> (Raw, i32) {
+        let farthest = |way: Axis| self.facing(way.perp().reversed());
+        let (first, last) = farthest(up.reversed());
+        let (first, last) = (self.corner(first), self.corner(last));
+        let foot = if along(forward, first.sub(last)) > 0 { first } else { last };
+        let ahead = self.corner(farthest(forward).0).sub(foot);
+        let (x, y) = forward.unit().raw();
+        let length = imul(x, ahead.x).wrapping_add(imul(y, ahead.y)) >> 30;
+        (foot, (length as i32).wrapping_add(self.radius).wrapping_add(1))
     }
 
     /// The normal of the side that begins at a corner, into the shape; of length one along x and y.
