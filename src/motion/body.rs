@@ -228,8 +228,9 @@ pub(super) mod kernel {
         /// The foremost one of its lowest corners, and how far its foremost part is ahead of that,
         /// rounded up. The two directions are across each other.
         fn foot(&self, up: Axis, forward: Axis) -> (Raw, i32) {
-            let _ = forward;
-            (self.toward(up.reversed()).0, self.rounding())
+            let (lo, hi) = self.core_box();
+            let at = |up: i32, forward: i32, lo, hi| if up < 0 || (up == 0 && forward > 0) { hi } else { lo };
+            (Raw { x: at(up.x, forward.x, lo.x, hi.x), y: at(up.y, forward.y, lo.y, hi.y) }, self.rounding())
         }
         /// The part that meets an arc: a point, and the radius of the disc around it.
         fn toward(&self, quadrant: Axis) -> (Raw, i32);

@@ -1,7 +1,10 @@
 //! Walkers at steps, ledges, walls and wedges, to the raw unit.
 
 use tilesat::world::World;
-use tilesat::{Aabb, Axis, ConvexPolygon, Joined, Mover, Solid, Solids, Walker};
+use tilesat::{
+    Aabb, Axis, Body, Capsule, Circle, ConvexPolygon, Joined, Mover, Slopes, Solid, Solids, TileKind, TileKinds,
+    TileMap, TileShape, Vec2, Walker,
+};
 use tilesat_judge::ground::{CELL, Frame, Ground, P, PX, Shape, fx, vec2};
 
 const BOX: Shape = Shape::Rect(5 * PX, 8 * PX);
@@ -303,5 +306,38 @@ fn polygons_climb_on_a_narrow_foot() {
                 });
             }
         }
+    }
+}
+
+/// A step at the top of a slope, as seen by a body whose lowest point is on the slope, is higher
+/// than it is from the top. What is hidden below the step does not matter.
+#[test]
+fn a_step_is_as_high_over_a_hole() {
+    static KINDS: TileKinds = TileKinds::EMPTY
+        .with(b'#', TileKind::FULL)
+        .with(b'_', TileKind::of(TileShape::HalfBottom))
+        .with(b'l', TileKind::of(TileShape::SlopeBottomLeft));
+    let level = |rows| TileMap::<Slopes>::of_ascii(rows, &KINDS).unwrap();
+    let levels =
+        ["........\n........\n._......\n..l.....\n########", "........\n........\n#_......\n##l.....\n########"];
+    let at = Vec2::from_ints(52, 30);
+    fn end<B: Body>(level: &TileMap<'_, Slopes>, mut body: B, speed: i64) -> Vec2 {
+        let (mut v, mut floor) = (Vec2::ZERO, None);
+        for _ in 0..200 {
+            let v_in = vec2((-speed, i64::from(v.raw().1) + PX / 4));
+            let walked = walker(5 * PX, 8 * PX).walk(level, &body, v_in, floor).unwrap();
+            (body, v, floor) = (walked.moved.body, walked.moved.velocity, walked.floor);
+        }
+        body.position()
+    }
+    for speed in [PX / 2, PX * 3 / 2] {
+        let ends = levels.map(|rows| {
+            let level = level(rows);
+            let upright = Capsule::new(at, at + Vec2::from_ints(0, 7), fx(4 * PX)).unwrap();
+            let lying = Capsule::new(at, at + Vec2::from_ints(8, 0), fx(4 * PX)).unwrap();
+            let ball = Circle::new(at, fx(6 * PX)).unwrap();
+            [end(&level, ball, speed), end(&level, upright, speed), end(&level, lying, speed)]
+        });
+        assert!(ends[0] == ends[1] && ends[0].iter().all(|end| end.x > 30), "{ends:?}");
     }
 }

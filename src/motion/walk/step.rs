@@ -126,7 +126,7 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
         }
         let to = raised.add(forward);
         // From within ground that is too high, what is behind the foot comes down to the old floor.
-        if B::ANGULAR && B::is_inside(self.world, foot.add(along(self.up, -body.rounding())).add(to)) {
+        if B::is_inside(self.world, foot.add(along(self.up, -body.rounding())).add(to)) {
             return None;
         }
         let beyond = self.run.look_from(self.world, to, ground.d.sub(raised))?;

@@ -180,7 +180,8 @@ impl Walker {
     /// That costs up to a fifth of the frame's way once, and more if corners follow each other
     /// within a frame. Through a quarter pipe it moves by chords, and stops before the slope passes
     /// the limit. Mirrored scenes give mirrored bits, with the exceptions of
-    /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits.
+    /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits to boxes,
+    /// circles and capsules.
     ///
     /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which
     /// takes several frames, and the ground one radius farther on must not be higher than the
