@@ -3,7 +3,7 @@
 use super::features::SolidBorder;
 use super::solid::Solid;
 use crate::error::{Quantity, RangeError};
-use crate::num::{MOTION, Raw, Vec2, check_motion};
+use crate::num::{MOTION, Raw, Vec2, check_motion, less128, mul64, sqr64};
 use crate::query::Core;
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Single};
 use crate::world::cell::Cell;
@@ -206,12 +206,20 @@ enum Drive {
 }
 
 impl Drive {
-    /// By the least turn: the sides agree best.
+    /// To sides as long as its own, if there are such: a turned shape has them. Of several by the
+    /// least turn, in which the sides agree best.
     fn of_turn(p: Core<'_>, q: Core<'_>) -> Self {
         let side = |core: Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
+        let pairs =
+            |shift: usize| (0..p.corners.len()).map(move |i| (side(p, i), side(q, q.wrapped(i.wrapping_add(shift)))));
+        // A turn rounds corners: lengths differ by 8 raw at most, and their squares by 16 lengths.
+        let as_long = |(e, f): (Raw, Raw)| {
+            let (one, other) = (e.len2(), f.len2());
+            !less128(mul64(256, one.max(other)), sqr64(one.abs_diff(other)))
+        };
         let agreement = |shift: usize| {
-            let all = (0..p.corners.len()).map(|i| side(p, i).dot(side(q, q.wrapped(i.wrapping_add(shift)))) >> 6);
-            all.fold(0i64, i64::saturating_add)
+            let sum = pairs(shift).map(|(e, f)| e.dot(f) >> 6).fold(0i64, i64::saturating_add);
+            (pairs(shift).all(as_long), sum)
         };
         let shift = (0..q.corners.len()).max_by_key(|&shift| agreement(shift)).unwrap_or(0);
         let ways = (0..p.corners.len()).map(|i| q.corner(q.wrapped(i.wrapping_add(shift))).sub(p.corner(i)));
@@ -277,9 +285,9 @@ impl<S: SolidShape> ConvexSolid<S> {
     /// The same solid with another shape after this frame: turned, and moved if you like. It is a
     /// new value: to change a solid in a list, call [`set_turn`](Self::set_turn).
     ///
-    /// Its corners go to those of `next` that need the least turn. So turn by less than half of
-    /// the angle between two of its sides: a plank by less than 90 degrees, a square by less than
-    /// 45. Bodies are taken along by the part of the border that they touch, and stay in front of
+    /// Its corners go to those of `next` between sides of the same lengths; if there are several, to
+    /// those that need the least turn. So turn a plank by less than 90 degrees, a square by less
+    /// than 45. Bodies are taken along by the part of the border that they touch, and stay in front of
     /// it. The smaller the steps, the rounder the way.
     ///
     /// # Errors
