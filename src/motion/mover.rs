@@ -225,13 +225,16 @@ impl<S: Law> Mover<S> {
     ///
     /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall)
     /// comes to rest, for gravities up to a twentieth of a tile per call squared. Every way that it
-    /// makes is a part of its velocity, so it does not jitter.
+    /// makes is a part of its velocity, so it does not jitter. A body that swings in a half pipe
+    /// without friction does not rest. It may climb above its start, since gravity comes once per
+    /// call: 216 units in 40 000 calls at worst. A friction of half a percent ends both.
     ///
     /// With zero velocity the call returns at once. It does not look at the level, and does not
     /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
     /// Mirrored scenes give mirrored bits, except where a circle meets two corners, slopes or arcs
-    /// at the same moment and equally squarely (+x goes first). Translated scenes give the same
+    /// at the same moment and equally squarely (+x goes first), and for a raw unit where a polygon
+    /// slides into a corner (1 of 100 000 motions). Translated scenes give the same
     /// bits. So do scenes with x and y exchanged, except for ties (x goes first) and a raw unit at
     /// corners.
     ///

@@ -35,7 +35,7 @@ pub struct SceneBody<S = Shape> {
     /// In any unit that all bodies share. `None` is a wall, a platform, a trigger: no step moves
     /// it.
     pub mass: Option<NonZeroU8>,
-    /// Its friction and restitution at the level. If two bodies meet, the surface that bounces more
+    /// Its restitution and friction at the level. If two bodies meet, the surface that bounces more
     /// counts, on a tie the one with less friction.
     pub surface: Surface,
     /// The response to level tiles with flags, instead of a bounce by its

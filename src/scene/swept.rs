@@ -29,9 +29,9 @@ use crate::num::{Toi, Vec2};
 use crate::query::Touches;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Releases those that have nobody in reach: only the level matters to them. Also those that the
-    /// level holds, if nobody is in reach before a third body turns it: others meet them where they
-    /// are.
+    /// Releases those that have nobody in reach: only the level matters to them. Also those that
+    /// the level holds, if nobody is in reach before a third body turns it: others meet them where
+    /// they are.
     #[inline(never)]
     pub(super) fn let_go<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
@@ -156,7 +156,7 @@ where
                 self.margin = self.margin.max(size(slot.way.rate));
             }
         }
-        self.look_again(|_, _| true);
+        self.look_again(None);
     }
 
     /// The body with the earliest end. At one time the level's end is first, then the pair with the
@@ -176,21 +176,25 @@ where
         })
     }
 
-    /// Lets the bodies that `whom` selects find the ends of their ways. All look again if one is
-    /// held: some may have seen it move.
-    fn look_again(&mut self, whom: impl Fn(u16, &BodyWay) -> bool) {
-        let mut held = self.look_each(whom);
-        while held {
-            held = self.look_each(|_, _| true);
+    /// Lets the bodies in the slots that have turned find the ends of their ways, and those whose
+    /// ways depend on them; at the step's begin all. All look again if one is held: some may have
+    /// seen it move.
+    #[inline(never)]
+    fn look_again(&mut self, mut turned: Option<[u16; 2]>) {
+        loop {
+            let held = self.stepped.held;
+            self.look_all(turned.take());
+            if self.stepped.held == held {
+                break;
+            }
         }
     }
 
-    /// Returns whether a body was held.
-    fn look_each(&mut self, whom: impl Fn(u16, &BodyWay) -> bool) -> bool {
-        let before = self.stepped.held;
+    fn look_all(&mut self, turned: Option<[u16; 2]>) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
-            if slot.way.pace != Pace::Swept || slot.way.is_held() || !whom(handle.slot() as u16, &slot.way) {
+            let looks = |turned: [u16; 2]| turned.into_iter().any(|at| slot.way.depends_on(handle, at));
+            if slot.way.pace != Pace::Swept || slot.way.is_held() || !turned.is_none_or(looks) {
                 continue;
             }
             let end = self.look(handle, &slot);
@@ -205,7 +209,6 @@ where
                 }
             }
         }
-        self.stepped.held != before
     }
 
     /// The first end of a body's way. Of bodies met at one time, the one with the smaller key, then
@@ -256,7 +259,7 @@ where
         }
         slot.way.go_on(time, if slot.way.waits() { Vec2::ZERO } else { slot.body.velocity + push });
         let at = handle.slot() as u16;
-        self.look_again(|other, way| other == at || way.depends_on(at));
+        self.look_again(Some([at, at]));
     }
 
     /// Handles a meeting of two bodies.
@@ -277,7 +280,7 @@ where
             slot.way.turns = TURNS;
         }
         let at = handle.slot() as u16;
-        self.look_again(|other, way| [at, with].contains(&other) || way.depends_on(at) || way.depends_on(with));
+        self.look_again(Some([at, with]));
     }
 
     #[inline(never)]
@@ -345,6 +348,16 @@ where
         for masses in masses.into_iter().flatten() {
             if let Ok(rates) = exchange(one.way.rate, other.way.rate, met.axis, masses, &Surface::SLICK) {
                 (one.way.rate, other.way.rate) = rates;
+            }
+        }
+        if again && met.axis.x != 0 && met.axis.y != 0 {
+            // Their ways are rounded: along a slanted side they would approach by a raw unit, meet
+            // at once, and wait.
+            let apart = Vec2::from_raw(2 * met.axis.x.signum(), 2 * met.axis.y.signum());
+            match (goes, top) {
+                ((true, false), _) | ((true, true), Top::A) => one.way.rate -= apart,
+                ((_, true), _) => other.way.rate += apart,
+                ((false, false), _) => {}
             }
         }
         for (slot, goes_on) in [(&mut one, goes.1), (&mut other, goes.0)] {

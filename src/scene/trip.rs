@@ -59,7 +59,7 @@ where
     }
 }
 
-/// A motion, of which the first hit is told.
+/// A motion, and its first hit.
 struct Touch<'t, W>(&'t Sliding, &'t W, Vec2);
 
 impl<S, W: World> Visit<S> for Touch<'_, W> {

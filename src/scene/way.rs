@@ -78,10 +78,10 @@ impl BodyWay {
         Toi::exact(Toi::ONE.raw().wrapping_sub(at.raw())).of(self.rate)
     }
 
-    /// Whether the body must look again if the one in a slot has turned. One that waits may have
-    /// ignored it.
-    pub(super) fn depends_on(&self, slot: u16) -> bool {
-        self.end.1 == End::Body(slot) || self.waits()
+    /// Whether its body, `of`, looks again if the one in a slot has turned. One that waits may have
+    /// ignored that one.
+    pub(super) fn depends_on(&self, of: Handle, slot: u16) -> bool {
+        of.slot() == usize::from(slot) || self.end.1 == End::Body(slot) || self.waits()
     }
 
     /// Continues from a time on with another velocity.

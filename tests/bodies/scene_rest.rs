@@ -251,3 +251,23 @@ fn what_sleeps_at_a_corner_touches_it() {
     }
     assert!(slept > 1_000 && fell > 1_000, "{slept} sleep, {fell} fall");
 }
+
+/// Between a wall and a fixed body, a fast box ends each step where it began, and friction takes
+/// what gravity gives. It does not sleep there: nothing holds it from below.
+#[test]
+fn what_bounces_on_one_spot_stays_awake() {
+    let level = TileMap::from_ascii("......\n.....#\n......\n......\n######\n", &KINDS).unwrap();
+    for speed in [40, 114] {
+        let mut scene = Scene::<SortSweep<4, SceneTag>, 4>::new(SortSweep::new());
+        let at = |x, w| Aabb::from_size(Vec2::from_ints(x, 18), Vec2::from_ints(w, 14)).unwrap();
+        scene.insert(&SceneBody::fixed(at(40, 10), 6)).unwrap();
+        let surface = Surface::new(Ratio::ONE, Ratio::percent(10).unwrap());
+        let velocity = Vec2::from_ints(-speed, 0);
+        let flier = scene.insert(&SceneBody { surface, velocity, ..SceneBody::new(at(50, 14), 1) }).unwrap();
+        for _ in 0..200 {
+            scene.step(&level, Vec2::from_raw(0, 16_384), |_| {}).unwrap();
+            let asleep = !scene.is_awake(flier).unwrap();
+            assert!(!asleep || scene.is_supported(flier).unwrap(), "{:?}", scene.body(flier));
+        }
+    }
+}

@@ -296,3 +296,28 @@ fn solids_change_in_place() {
     }
     assert!(refused > 9);
 }
+
+/// A plank that turns by less than 90 degrees takes a ball along on its side, however thick it is.
+/// A square does at less than 45.
+#[test]
+fn nobody_gets_to_the_other_side_of_a_turning_plank() {
+    let tiles = vec![0; (SIDE * SIDE) as usize];
+    let level = TileMap::<AllShapes>::of(&tiles, grid((0, 0)), &KINDS).unwrap();
+    for (half, thick, most) in [(60, 4, 90), (20, 4, 90), (8, 4, 90), (6, 4, 90), (20, 1, 90), (6, 6, 45)] {
+        for degrees in 1..most {
+            // Around its end at the origin; its tip goes up.
+            let turned = |degrees: i32| {
+                let (sin, cos) = f64::from(-degrees).to_radians().sin_cos();
+                let middle = [cos, sin].map(|part| (part * f64::from(half) * 65_536.0).round() as i64);
+                let axis = Axis::new((cos * 1e6) as i32, (sin * 1e6) as i32);
+                OrientedBox::new(vec2((middle[0], middle[1])), Vec2::from_ints(half, thick), axis).unwrap()
+            };
+            let ball = Circle::new(Vec2::from_ints(half, -thick - 5), Fx::from_bits(4 << 16)).unwrap();
+            let solid = [ConvexSolid::new(turned(0), 1).unwrap().with_turn(turned(degrees)).unwrap()];
+            let ridden = MOVER.ride_convex(&level, &solid, &ball, Fx::ONE).unwrap();
+            let next = solid[0].next();
+            let side = next.along().perp_dot(ridden.body.centre() - next.centre());
+            assert!(side < 0, "{half} x {thick} by {degrees} degrees: {:?}", ridden.body.centre());
+        }
+    }
+}

@@ -108,8 +108,8 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
     /// The floor that carries the body on this ground.
     ///
     /// A circle, or a polygon on a narrow foot, comes down to the edge of a step before it is over
-    /// the step, or while it is still beyond. It is then on its way. It stands if the same way down,
-    /// started farther on by what is in front of its foot, ends on level floor.
+    /// the step, or while it is still beyond. It is then on its way. It stands if the same way
+    /// down, started farther on by what is in front of its foot, ends on level floor.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }

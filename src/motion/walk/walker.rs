@@ -180,14 +180,15 @@ impl Walker {
     /// That costs up to a fifth of the frame's way once, and more if corners follow each other
     /// within a frame. Through a quarter pipe it moves by chords, and stops before the slope passes
     /// the limit. Mirrored scenes give mirrored bits, with the exceptions of
-    /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits to boxes,
-    /// circles and capsules.
+    /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits to
+    /// boxes, circles and capsules.
     ///
     /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which
     /// takes several frames, and the ground one radius farther on must not be higher than the
-    /// step. So does a polygon by a foot that is narrower than its body. Its `floor` is then the one that the step leads to. An edge that it meets no steeper
-    /// than the slope limit is no step. Snapping and steps treat one-way faces as every motion
-    /// does: the faces hold bodies that are entirely above them.
+    /// step. So does a polygon by a foot that is narrower than its body. Their `floor` is then the
+    /// one that the step leads to. An edge that they meet no steeper than the slope limit is no
+    /// step. Snapping and steps treat one-way faces as every motion does: the faces hold bodies
+    /// that are entirely above them.
     ///
     /// Cost: on even ground, two sweeps over the cells under the motion. At most four legs with two
     /// sweeps each; trying a step takes up to ten more.

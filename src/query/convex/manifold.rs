@@ -64,8 +64,8 @@ impl Manifold {
     }
 
     /// The one or two points, the deeper one first. Of two equally deep ones, the one with the
-    /// smaller x comes first, then the one with the smaller y. Depths are rounded: that of the second
-    /// one may be a raw unit more.
+    /// smaller x comes first, then the one with the smaller y. Depths are rounded: that of the
+    /// second one may be a raw unit more.
     pub fn points(&self) -> impl Iterator<Item = &ManifoldPoint> {
         core::iter::once(&self.first).chain(&self.second)
     }

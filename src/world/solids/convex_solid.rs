@@ -285,10 +285,10 @@ impl<S: SolidShape> ConvexSolid<S> {
     /// The same solid with another shape after this frame: turned, and moved if you like. It is a
     /// new value: to change a solid in a list, call [`set_turn`](Self::set_turn).
     ///
-    /// Its corners go to those of `next` between sides of the same lengths; if there are several, to
-    /// those that need the least turn. So turn a plank by less than 90 degrees, a square by less
-    /// than 45. Bodies are taken along by the part of the border that they touch, and stay in front of
-    /// it. The smaller the steps, the rounder the way.
+    /// Its corners go to those of `next` between sides of the same lengths; if there are several,
+    /// to those that need the least turn. So turn a plank by less than 90 degrees, a square by less
+    /// than 45. Bodies are taken along by the part of the border that they touch, and stay in front
+    /// of it. The smaller the steps, the rounder the way.
     ///
     /// # Errors
     /// [`RangeError`] as for [`new`](Self::new), of [`Quantity::Rounding`] if one of both has a
