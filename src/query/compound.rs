@@ -4,7 +4,7 @@ use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside, Moment};
 use super::cast::{CastShape, share};
 use super::closest::{ClosestPoint, Distance};
 use super::contact::{Contact, Contacts};
-use super::convex::{Manifold, Manifolds};
+use super::convex::{Manifold, ManifoldPoint, Manifolds};
 use super::meet::aabb_aabb;
 use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
@@ -26,7 +26,7 @@ fn order(axis: Axis) -> (u32, u32, i32, i32) {
 /// different contacts differ.
 fn rank(c: &Contact) -> impl Ord + use<> {
     let points = (c.point_on_a().raw(), c.point_on_b().raw());
-    let of_what = (c.overlap, c.core.x, c.core.y, c.radius_a, c.radius_b, c.is_degenerate());
+    let of_what = (c.overlap, c.core.x, c.core.y, c.core_on_b, c.radius_a, c.radius_b, c.is_degenerate());
     (core::cmp::Reverse(c.depth()), order(c.axis()), points, of_what)
 }
 
@@ -35,7 +35,8 @@ fn deepest(contacts: impl Iterator<Item = Contact>) -> Option<Contact> {
 }
 
 fn deepest_manifold(all: impl Iterator<Item = Manifold>) -> Option<Manifold> {
-    least(all, |m| rank(&m.deepest().contact))
+    let of = |point: &ManifoldPoint| (rank(&point.contact), point.part_a, point.part_b);
+    least(all, |m| (of(m.deepest()), m.points().nth(1).map(of)))
 }
 
 /// The course of several parts: inside where one is, else the earliest hit.

@@ -55,7 +55,12 @@ fn two_corners_at_one_moment_are_met_alike_from_both_sides() {
 /// Moved by the displacement, a shape overlaps no part, and the order of the parts does not matter.
 fn judge<A, S, const M: usize>(a: &A, parts: [S; M], d: Vec2) -> bool
 where
-    A: CastShape<Compound<S, M>> + Overlaps<Compound<S, M>> + Contacts<Compound<S, M>> + Moved + core::fmt::Debug,
+    A: CastShape<Compound<S, M>>
+        + Overlaps<Compound<S, M>>
+        + Contacts<Compound<S, M>>
+        + Manifolds<Compound<S, M>>
+        + Moved
+        + core::fmt::Debug,
     S: tilesat::shape::Single + core::fmt::Debug,
 {
     let Ok(whole) = Compound::<S, M>::new(&parts) else { return false };
@@ -63,6 +68,7 @@ where
     turned.reverse();
     let other = Compound::<S, M>::new(&turned).unwrap();
     assert_eq!(a.contact(&whole), a.contact(&other), "{a:?} {parts:?}");
+    assert_eq!(a.manifold(&whole), a.manifold(&other), "{a:?} {parts:?}");
     let hit = a.cast_shape(&whole, d, Inside::Hit).unwrap();
     assert_eq!(hit, a.cast_shape(&other, d, Inside::Hit).unwrap(), "{a:?} {parts:?} by {d:?}");
     let Some(hit) = hit.filter(|hit| !hit.inside) else { return false };

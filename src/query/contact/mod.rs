@@ -47,7 +47,7 @@ pub struct Contact {
     /// The deepest point of one core; the deepest of the other is `axis * overlap / axis^2` away.
     pub(crate) core: Raw,
     /// Whether `core` belongs to B.
-    core_on_b: bool,
+    pub(crate) core_on_b: bool,
     pub(crate) radius_a: i32,
     pub(crate) radius_b: i32,
     /// Whether the axis is the vector from A's core to B's, not parallel to x or y: `overlap` would

@@ -13,7 +13,7 @@ use core::cmp::Ordering;
 /// Corners are counted from a box's `min` or [`corners`](crate::OrientedBox::corners)`()[0]`, a
 /// segment's lexicographically first end, a polygon's first vertex; a side has the index of the
 /// corner that it begins at, counter-clockwise (y up).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Part {
     /// A corner, or the arc around it.
