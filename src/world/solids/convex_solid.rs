@@ -3,7 +3,7 @@
 use super::features::SolidBorder;
 use super::solid::Solid;
 use crate::error::{Quantity, RangeError};
-use crate::num::{MOTION, Raw, Vec2, check_motion, less128, mul64, sqr64};
+use crate::num::{MOTION, Raw, Vec2, check_motion, usqr};
 use crate::query::Core;
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Single};
 use crate::world::cell::Cell;
@@ -210,18 +210,20 @@ impl Drive {
     /// least turn, in which the sides agree best.
     fn of_turn(p: Core<'_>, q: Core<'_>) -> Self {
         let side = |core: Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
-        let pairs =
-            |shift: usize| (0..p.corners.len()).map(move |i| (side(p, i), side(q, q.wrapped(i.wrapping_add(shift)))));
         // A turn rounds corners: lengths differ by 8 raw at most, and their squares by 16 lengths.
-        let as_long = |(e, f): (Raw, Raw)| {
-            let (one, other) = (e.len2(), f.len2());
-            !less128(mul64(256, one.max(other)), sqr64(one.abs_diff(other)))
-        };
-        let agreement = |shift: usize| {
-            let sum = pairs(shift).map(|(e, f)| e.dot(f) >> 6).fold(0i64, i64::saturating_add);
-            (pairs(shift).all(as_long), sum)
-        };
-        let shift = (0..q.corners.len()).max_by_key(|&shift| agreement(shift)).unwrap_or(0);
+        let as_long = |far: u64, square: u64| far >> 36 == 0 && usqr((far >> 4) as u32) <= square;
+        let (mut best, mut shift) = ((false, i64::MIN), 0);
+        for to in 0..q.corners.len() {
+            let mut found = (true, 0i64);
+            for i in 0..p.corners.len() {
+                let (e, f) = (side(p, i), side(q, q.wrapped(i.wrapping_add(to))));
+                found.0 &= as_long(e.len2().abs_diff(f.len2()), e.len2());
+                found.1 = found.1.saturating_add(e.dot(f) >> 6);
+            }
+            if found >= best {
+                (best, shift) = (found, to);
+            }
+        }
         let ways = (0..p.corners.len()).map(|i| q.corner(q.wrapped(i.wrapping_add(shift))).sub(p.corner(i)));
         let longest = ways.map(longer).max().unwrap_or(0);
         Self::Turns { shift, longest }
