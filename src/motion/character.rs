@@ -12,8 +12,9 @@ use crate::world::{Solids, World};
 /// [any convex shape](crate::world::ConvexSolid).
 ///
 /// One call per frame does all of it: [`step`](Self::step), or [`step_on`](Self::step_on) if solids
-/// move. Each links only the code that it uses. `B` is the body: an [`Aabb`], a
-/// [`Circle`](crate::Circle), or a [`Capsule`](crate::Capsule). Plain data: a copy is a snapshot.
+/// move. Each links only the code that it uses. `B` is the [body](crate::Body): an [`Aabb`], a
+/// [`Circle`](crate::Circle), a [`Capsule`](crate::Capsule), a turned box or a polygon. Plain data:
+/// a copy is a snapshot.
 ///
 /// ```
 /// use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
