@@ -219,24 +219,21 @@ impl<S: Law> Mover<S> {
     /// Only the surfaces count that the body touches *at that position*, not those that it has left
     /// behind. Along the slopes of tiles the direction is exact: the velocity is a multiple of the
     /// slope's direction, less than one multiple short. Through a quarter pipe the body moves by
-    /// one chord per call. It leaves as fast as it entered, less about 3 raw per call. Sliding
-    /// never lengthens the velocity. Bouncing never raises its square (with a
-    /// [`Speed`](super::Speed), not above that).
+    /// one chord per call. It leaves as fast as it entered, less about 3 raw per call. No response
+    /// raises the square of the velocity (with a [`Speed`](super::Speed), not above that).
     ///
     /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall)
     /// comes to rest, for gravities up to a twentieth of a tile per call squared. Every way that it
-    /// makes is a part of its velocity, so it does not jitter. A body that swings in a half pipe
-    /// without friction does not rest. It may climb above its start, since gravity comes once per
-    /// call: 216 units in 40 000 calls at worst. A friction of half a percent ends both.
+    /// makes is a part of its velocity, so it does not jitter. Without friction a half pipe swings
+    /// a body for ever, up to 216 units higher in 40 000 calls. A friction of 0.5 % ends both.
     ///
     /// With zero velocity the call returns at once. It does not look at the level, and does not
     /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
     /// Mirrored scenes give mirrored bits, except where a circle meets two corners, slopes or arcs
-    /// at the same moment and equally squarely (+x goes first), and for a raw unit where a polygon
-    /// slides into a corner (1 of 100 000 motions). Translated scenes give the same
-    /// bits. So do scenes with x and y exchanged, except for ties (x goes first) and a raw unit at
-    /// corners.
+    /// at once and equally squarely (+x goes first), and a raw unit where a polygon slides into a
+    /// corner (1 of 100 000 motions). Translated scenes give the same bits. So do scenes with x and
+    /// y exchanged, except for ties (x goes first) and a raw unit at corners.
     ///
     /// Cost: where all cells under the motion are empty, one look at each. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A

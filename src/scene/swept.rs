@@ -335,17 +335,20 @@ where
         }
         // The rest of the two ways must not lead into each other, whatever the velocities are. A
         // speed below the sum of the masses, in raw units, may be too low to be shared by them.
-        let yields = if top == Top::A { Masses::B_FIXED } else { Masses::A_FIXED };
-        let shared = one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get()));
+        // Then one yields, as when they meet again.
         let goes = (one.way.goes(), other.way.goes());
-        let masses = match goes {
-            (true, true) if again => [Some(yields), None],
-            (true, true) => [shared, Some(yields)],
-            (true, false) => [Some(Masses::B_FIXED), None],
-            (false, true) => [Some(Masses::A_FIXED), None],
-            (false, false) => [None, None],
+        let shared = match goes {
+            (true, true) if !again => {
+                one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get()))
+            }
+            _ => None,
         };
-        for masses in masses.into_iter().flatten() {
+        let yields = match goes {
+            (true, other_goes) if top == Top::A || !other_goes => Some(Masses::B_FIXED),
+            (_, true) => Some(Masses::A_FIXED),
+            _ => None,
+        };
+        for masses in [shared, yields].into_iter().flatten() {
             if let Ok(rates) = exchange(one.way.rate, other.way.rate, met.axis, masses, &Surface::SLICK) {
                 (one.way.rate, other.way.rate) = rates;
             }
@@ -354,10 +357,10 @@ where
             // Their ways are rounded: along a slanted side they would approach by a raw unit, meet
             // at once, and wait.
             let apart = Vec2::from_raw(2 * met.axis.x.signum(), 2 * met.axis.y.signum());
-            match (goes, top) {
-                ((true, false), _) | ((true, true), Top::A) => one.way.rate -= apart,
-                ((_, true), _) => other.way.rate += apart,
-                ((false, false), _) => {}
+            match yields {
+                Some(Masses::B_FIXED) => one.way.rate -= apart,
+                Some(_) => other.way.rate += apart,
+                None => {}
             }
         }
         for (slot, goes_on) in [(&mut one, goes.1), (&mut other, goes.0)] {
