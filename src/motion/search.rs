@@ -67,7 +67,8 @@ impl Around {
         // Most motions are one piece, and this is all that most bodies run.
         let is_one = way(d) <= piece_length(world, &bounds);
         if !is_one && !looks {
-            return Ok(pieces(world, &bounds, d));
+            let empty = world.is_known_empty(&piece_of(&bounds, Raw::ZERO, d, 1));
+            return Ok(if empty { 0 } else { pieces(world, &bounds, d) });
         }
         self.region =
             if is_one { piece_of(&bounds, Raw::ZERO, d, 1) } else { piece_of(&bounds, Raw::ZERO, Raw::ZERO, 2) };

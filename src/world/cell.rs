@@ -62,6 +62,13 @@ impl Range {
         }
     }
 
+    /// How many cells it has: at least one, and fewer than 2^32 in a map.
+    #[inline]
+    pub(in crate::world) const fn cells(&self) -> u32 {
+        let (width, height) = (self.x1.wrapping_sub(self.x0), self.y1.wrapping_sub(self.y0));
+        (width as u32).wrapping_add(1).wrapping_mul((height as u32).wrapping_add(1))
+    }
+
     #[inline]
     pub(in crate::world) const fn has_row(&self, y: i32) -> bool {
         self.y0 <= y && y <= self.y1

@@ -339,6 +339,13 @@ pub trait World: sealed::Sealed {
         false
     }
 
+    /// Whether a region of a grid is small and holds nothing.
+    #[doc(hidden)]
+    fn is_known_empty(&self, region: &Aabb) -> bool {
+        let _ = region;
+        false
+    }
+
     /// The side of a cell, raw and not zero: longer motions are enumerated in pieces of about this
     /// length.
     fn cell_size(&self) -> u32;

@@ -273,6 +273,19 @@ fn cross_drops_through_a_one_way() {
     assert_eq!(out.v, at(1, 0));
 }
 
+/// A one-way face that a ball passes does not change what it touches: it falls along a wall with a
+/// gap, and is held between the wall and a corner.
+#[test]
+fn a_face_that_is_passed_changes_nothing() {
+    for one_way in ['-', '.'] {
+        let rows = ["..#", "..#", "...", "..#", "?.#", ".##"].map(|row| row.replace('?', &one_way.to_string()));
+        let level = Level::new(&rows.each_ref().map(String::as_str), px(16)).with_origin(at(80, 0));
+        let ball = Body::disc((6_164_626, 1_175_406), 1_175_406);
+        let out = check(&level, PLAYER, Response::DropThrough, &ball, (1_659_218, 3_498_314));
+        assert_eq!((out.v, out.body.position().0), ((0, 0), 6_164_626));
+    }
+}
+
 /// On a flat floor with gravity and without friction. `scenes` has other positions and runs without
 /// a judge.
 #[test]

@@ -6,7 +6,7 @@ use super::arcs::outline;
 use super::convex::{Figure, Tally, crosses, figures, hull, judge};
 use super::polygons::{Big, Wide, near, point_near, zero};
 use super::std::{println, vec::Vec};
-use super::{P, Random, cases};
+use super::{P, Random, cases, enough};
 
 /// A rational point: both coordinates over a positive weight.
 #[derive(Clone)]
@@ -98,8 +98,8 @@ fn check(arc: (i64, bool), body: &Figure, d: P, tally: &mut Tally) {
 
 fn balanced(tally: &Tally, few: u64) {
     println!("{tally:?}");
-    assert!(tally.round > few && tally.hits - tally.round > few && tally.misses > few, "{tally:?}");
-    assert!(tally.aside <= tally.hits / 25 && tally.stays <= tally.aside, "{tally:?}");
+    assert!(enough(tally.round > few && tally.hits - tally.round > few && tally.misses > few), "{tally:?}");
+    assert!(enough(tally.aside <= tally.hits / 25) && tally.stays <= tally.aside, "{tally:?}");
 }
 
 /// Small figures around arcs of radius 5 and 10 (3-4-5), on a lattice.

@@ -27,7 +27,7 @@ use super::order::First;
 use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::{AnyShape, Capsule, Circle, ConvexPolygon};
 use crate::world::{Cell, Feature, Geometry, SegmentMap};
-use tilesat_judge::{Random, cases};
+use tilesat_judge::{Random, cases, enough};
 
 type P = (i64, i64);
 

@@ -101,6 +101,10 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
         TileMap::look(self, region, r, seen)
     }
 
+    fn is_known_empty(&self, region: &Aabb) -> bool {
+        TileMap::is_known_empty(self, region)
+    }
+
     #[inline]
     fn cell_size(&self) -> u32 {
         self.grid.cell as u32
@@ -205,6 +209,27 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         // The map is in the domain.
         inside.is_some()
     }
+
+    /// Whether a region of at most [`SMALL`](Self::SMALL) cells is in the map and has no tile.
+    #[inline(never)]
+    pub(in crate::world) fn is_known_empty(&self, region: &Aabb) -> bool {
+        let Some(range) = self.range_inside(region.lo(), region.hi()) else { return false };
+        if range.cells() > Self::SMALL {
+            return false;
+        }
+        if T::OCCUPIED || T::BITS != 8 {
+            return self.next_cell(&mut Cells::of(range)).is_none();
+        }
+        let width = range.x1.wrapping_sub(range.x0).wrapping_add(1) as usize;
+        let mut first = self.place(range.x0, range.y0) as usize;
+        (range.y0..=range.y1).all(|_| {
+            let row = self.data.get(first..first.wrapping_add(width));
+            first = first.wrapping_add(self.stride.into());
+            row.is_some_and(|row| row.iter().all(|&id| self.kinds.is_empty(id)))
+        })
+    }
+
+    const SMALL: u32 = 64;
 
     /// The cells of a region inside the map: a quotient an axis, from where it is stepped.
     #[inline(always)]

@@ -239,7 +239,7 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
     let (mut vel, mut place, mut now) = ((v.0 as f64, v.1 as f64), (0.0, 0.0), 0.0);
     let leg = |vel: V, time: f64| (vel.0 * time, vel.1 * time);
     let plus = |a: V, b: V| (a.0 + b.0, a.1 + b.1);
-    let mut first_leg = None;
+    let (mut first_leg, mut way) = (None, (0.0, 0.0));
     // A circle between two corners may stay where it is, a little before the contact: then both are
     // touched together.
     let wedge = if let Body::Disc { r, .. } = *start { 2.0 * (r as f64).sqrt() } else { 0.0 };
@@ -260,12 +260,15 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
         place = plus(place, made);
         let there = start.moved((place.0 as i64, place.1 as i64));
         at_last = there;
-        if !touched.slide(made, level, &there) {
-            return Ok(());
-        }
         first_leg.get_or_insert(place);
         now = toi;
+        way = plus(way, made);
+        // A one-way face that a body passes changes nothing, so nothing is looked at there.
         if response != Response::DropThrough || !hit.one_way {
+            let made = core::mem::take(&mut way);
+            if !touched.slide(made, level, &there) {
+                return Ok(());
+            }
             let normal = (hit.axis.x.into(), hit.axis.y.into());
             if slides {
                 let Some(keeps) = touched.end_hop(normal, hit.index < 4) else { return Ok(()) };
