@@ -329,8 +329,10 @@ impl<B: Body> Character<B> {
         self.through = if fall > 0 { self.through.saturating_sub(fall).max(Fx::ZERO) } else { Fx::ZERO };
 
         let velocity = Vec2::new(run, self.downward(fall)) + self.base;
-        // A push in its own direction makes a part of its way.
-        let pushed = Vec2::new(shared(carry.x, velocity.x), shared(carry.y, velocity.y));
+        // A push in its own direction makes a part of its way. So does the solid that it left, if
+        // that comes below its feet in the frame in which it lands.
+        let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
+        let pushed = Vec2::new(part(carry.x, velocity.x, self.base.x), part(carry.y, velocity.y, self.base.y));
         let made = if stands { carry } else { pushed };
         let walks = stands && !(jumped || launched || drops);
         Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
@@ -424,6 +426,11 @@ pub(super) fn refused(e: MoveError) -> Result<Outcome, RangeError> {
 /// The part that two motions have in common.
 fn shared(a: Fx, b: Fx) -> Fx {
     if a < 0 { a.max(b).min(Fx::ZERO) } else { a.min(b).max(Fx::ZERO) }
+}
+
+/// The longer one of two motions.
+fn farther(a: Fx, b: Fx) -> Fx {
+    if a.unsigned_abs() < b.unsigned_abs() { b } else { a }
 }
 
 /// A speed, changed by at most `rate` toward another.

@@ -38,7 +38,7 @@ pub struct Feel {
     /// The velocity gained per frame. Positive pulls toward larger y, as on a screen. Negative
     /// pulls the other way, and "up" follows.
     pub gravity: Fx,
-    /// The fastest fall.
+    /// The fastest fall. Off a solid that sinks it is faster by the speed of the solid.
     pub fall: Fx,
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
     /// 2 in n frames.
@@ -108,8 +108,9 @@ pub enum Outcome {
     #[default]
     Moved,
     /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`](super::Ride::Squashed).
-    /// You get it in each frame until that solid turns back or has passed. A one-way solid squashes
-    /// nobody: without room, it passes through the character.
+    /// You get it in each frame until that solid turns back or has passed; a round body may get it
+    /// for one frame more. Meanwhile the floor and the velocity stay as they were. A one-way solid
+    /// squashes nobody: without room, it passes through the character.
     Squashed {
         /// The key of the solid.
         by: u16,

@@ -64,12 +64,12 @@ impl<B: Body> Character<B> {
     /// walkers in the guide has the program, also for short platforms.
     ///
     /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are no ledges, and neither
-    /// are gaps that it walks over. It looks by its own steps: a gap exactly as wide as the body
-    /// counts only if one of them ends over it. One-way floors are floors. In the air the answer is
+    /// are gaps that it walks over. It looks in steps of five eighths of the snap. A gap that is
+    /// wider than the body by less than that counts only if one of them ends over it: where a level
+    /// has such gaps, ask in every frame. One-way floors are floors. In the air the answer is
     /// `false`.
     ///
-    /// Cost: a [`Walker::walk`](crate::Walker::walk) for every five eighths of the snap, and at most
-    /// sixteen: four for a body of 10 units at a speed of 1. That is more than all else that a
+    /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, and at most sixteen: four for a body of 10 units at a speed of 1. That is more than all else that a
     /// patrol does in a frame. To save it, ask in every `n`-th frame, with `far` larger by
     /// `(n - 1) * v`. If `far` and the width are more than ten times the snap, the steps are
     /// longer, and slopes that lead down may count as ledges: raise the snap.

@@ -388,8 +388,8 @@ pub type SceneTag = crate::broad::Keyed<crate::Filter>;
 /// An event of a step, reported as it happens, in no particular order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneEvent<'a> {
-    /// Two bodies, sensors too, touched at the step's start. Reported in every step in which they
-    /// touch and one of them is awake. For begin and end, pass `pair` to
+    /// Two bodies, at most one of them a sensor, touched at the step's start. Reported in every
+    /// step in which they touch and one of them is awake. For begin and end, pass `pair` to
     /// [`PairEvents`](crate::broad::PairEvents).
     Touch {
         /// The two bodies; `a` has the smaller key.
@@ -397,7 +397,7 @@ pub enum SceneEvent<'a> {
         /// How they overlap, from `a` to `b`; `None` if they only touch.
         contact: Option<&'a Contact>,
     },
-    /// Two bodies, sensors too, ran into each other on their way. One of them is
+    /// Two bodies, at most one of them a sensor, ran into each other on their way. One of them is
     /// [fast](self#fast-bodies).
     Meet {
         /// The two bodies; `a` has the smaller key.
@@ -429,7 +429,7 @@ pub enum SceneEvent<'a> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Stepped {
-    /// Bodies that were moved through the level: those awake. Zero if all sleep.
+    /// Bodies that were moved through the level: those awake by then. Zero if all sleep.
     pub moved: u16,
     /// Bodies of those that were [held](SceneEvent::Held).
     pub held: u16,

@@ -18,6 +18,9 @@ use crate::num::{Fx, MOTION, check_motion};
 /// into the level or into another body. A step in the air does not count, and does not end the
 /// rest. In its last step of rest something must hold it from below: a ball that rolls off a corner
 /// stays awake.
+///
+/// Without friction, heaps of round bodies in a funnel may stay awake for ever: 9 of 38 pairs of
+/// capsules did, and most heaps of six and more. Friction ends that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {

@@ -1,7 +1,7 @@
 //! The way of one body through the level.
 
 use super::blocked::in_vain;
-use super::body::{ALOFT, FLIES, NOBODY, Slot, Tally};
+use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
 use super::memory::{Causes, Made, Place, Rest, Start, keep, known, note, rest_mut};
@@ -298,7 +298,10 @@ impl<V> Trip<'_, V> {
         // would hang in the air, where nothing wakes it. In a heap it also hops, for a step now and
         // then: such a step is not one of rest, but it does not end a rest. A bounce does.
         let Tally { low, high, under, .. } = slot.tally;
-        let held = !free || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | FLIES);
+        // Gravity comes before a body wakes, so one that has not moved since runs into nothing.
+        let lies_on = slot.mode == Mode::Woken && by == Vec2::ZERO && slot.support != ALOFT;
+        let support = if lies_on { slot.support } else { support };
+        let held = !free || lies_on || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | FLIES);
         let flies = weight != Vec2::ZERO && !held;
         if matches!(under, NOBODY | FLIES) {
             slot.tally.under = if flies { FLIES } else { NOBODY };

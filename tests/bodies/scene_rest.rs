@@ -7,7 +7,7 @@ use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Sleep};
 use tilesat::shape::AnyShape;
 use tilesat::{
     Aabb, Axis, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, Ratio, Scene, Surface, TileKind, TileKinds, TileMap,
-    Vec2,
+    Vec2, fx,
 };
 use tilesat_judge::rooms::drawn;
 use tilesat_judge::scenes::BODIES;
@@ -269,5 +269,31 @@ fn what_bounces_on_one_spot_stays_awake() {
             let asleep = !scene.is_awake(flier).unwrap();
             assert!(!asleep || scene.is_supported(flier).unwrap(), "{:?}", scene.body(flier));
         }
+    }
+}
+
+/// A body that lies still is supported in the step in which another one wakes it.
+#[test]
+fn what_wakes_still_lies() {
+    let level = TileMap::from_ascii("#........#\n#........#\n##########\n", &KINDS).unwrap();
+    let g = Vec2::from_raw(0, 6_554);
+    for speed in [0, 1, 7] {
+        let mut scene = S::new(SortSweep::new());
+        let low = scene.insert(&SceneBody::new(bx(70, 22, 10, 10), 1)).unwrap();
+        let high = scene.insert(&SceneBody::new(bx(70, 12, 10, 10), 2)).unwrap();
+        while !scene.awake().is_empty() {
+            scene.step(&level, g, |_| ()).unwrap();
+        }
+        let x = if speed == 0 { 74 } else { 30 };
+        let ball = Circle::new(Vec2::from_ints(x, if speed == 0 { 4 } else { 28 }), fx!(4)).unwrap();
+        let velocity = Vec2::from_ints(speed, 0);
+        scene.insert(&SceneBody { velocity, ..SceneBody::new(ball, 3) }).unwrap();
+        let mut woken = 0;
+        while woken == 0 {
+            woken = scene.step(&level, g, |_| ()).unwrap().woken;
+            let supported = [low, high].map(|body| scene.is_supported(body).unwrap());
+            assert_eq!(supported, [true; 2], "{speed}");
+        }
+        assert!(woken > 0);
     }
 }

@@ -70,7 +70,9 @@ fn the_least_way_aside_that_leads_on() {
             }
             let d = (r.around(CELL), [0, 1][r.below(2) as usize] * r.around(CELL));
             let d = if r.one_in(2) { d } else { (d.1, d.0) };
-            let (reach, up) = (r.within(0, 24), r.one_in(2));
+            // Now and then past more than one obstacle.
+            let reach = if r.one_in(6) { r.within(24, 3 * CELL) } else { r.within(0, 24) };
+            let up = r.one_in(2);
             let mover = if up { Mover::platformer(Axis::NEG_Y) } else { Mover::new() };
             let aside = mover.assist(&map, &body, vec2(d), Fx::from_bits(reach as i32)).unwrap();
             let expected = least(&map, &mover, &body, d, reach).unwrap_or((0, 0));

@@ -9,7 +9,8 @@ use crate::motion::run::Run;
 use crate::motion::search::{Around, check_cells};
 use crate::motion::{Body, MoveError, Moved, Mover};
 use crate::num::{Fx, Raw, Vec2};
-use crate::world::World;
+use crate::shape::Aabb;
+use crate::world::{World, corners_of};
 
 impl<S: Law> Mover<S> {
     /// Moves a body aside by at most `reach`, if it would otherwise hit something that its motion
@@ -25,12 +26,13 @@ impl<S: Law> Mover<S> {
     /// Call it before the motion, with the same velocity. It does nothing if the motion hits no
     /// face along x or y, or hits a floor. The way aside is the shortest, exactly, from which the
     /// motion comes farther, and it is free. Of two equally short ways it chooses the one that the
-    /// velocity leads to, then the one to the right of the motion.
+    /// velocity leads to, then the one to the left of the motion, as seen with y down.
     ///
     /// A body that moves sideways faster than `reach` per call can pass a gap within one frame. A
     /// `reach` as large as the speed finds every gap.
     ///
-    /// Cost: one sweep along the motion. If that hits, up to six more, of `reach`.
+    /// Cost: one sweep along the motion. If that hits, up to six more, of `reach`, and on each side
+    /// one for each face that the body comes past.
     ///
     /// ```
     /// use tilesat::{Aabb, Mover, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -79,35 +81,69 @@ impl<S: Law> Mover<S> {
             let next = least.add(Raw { x: side.x.signum(), y: side.y.signum() });
             let passes = [least, next].into_iter().filter(|aside| !aside.is_zero() && way(*aside) <= way(free));
             let found = passes.filter(|&aside| best.is_none_or(|best| way(aside) < way(best)));
-            best = found.into_iter().find(|&aside| farther(world, run, &hit, aside)).or(best);
+            best = found.into_iter().find(|&aside| stops(world, run, &hit, aside).is_none()).or(best);
         }
         best
     }
 }
 
-/// Whether the motion comes farther into the face from a position aside. There it may also lead
-/// along the side of a gap.
-fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside: Raw) -> bool {
+/// The hit at which the motion stops from a position aside, if it comes no farther into the face
+/// from there. There it may also lead along the side of a gap.
+fn stops<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside: Raw) -> Option<Ground> {
     let n = hit.entry.normal;
-    let Some(next) = run.look_from(world, aside, hit.d) else { return true };
+    let next = run.look_from(world, aside, hit.d)?;
     let to = next.drop();
     let (depth, was) = (into(to, n), into(hit.drop(), n));
     let beside = n.dot(next.entry.normal) == 0 && depth == was;
     let ahead = Raw { x: n.x.signum().wrapping_neg(), y: n.y.signum().wrapping_neg() };
-    depth < was || (beside && run.look_from(world, aside.add(to), ahead).is_none())
+    let farther = depth < was || (beside && run.look_from(world, aside.add(to), ahead).is_none());
+    (!farther).then_some(next)
 }
 
-/// The shortest way aside past the hit surface: from the end of the free way back to the surface's
-/// side, a raw unit into its face.
+/// The shortest way aside past the hit surface, and the way that is free: from where the motion
+/// first comes farther, back to the surface's side, a raw unit into its face.
 fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: Raw) -> Option<(Raw, Raw)> {
+    let bounds = run.moved.body.bounds();
     let free = match run.look(world, side) {
         Some(ground) => ground.drop(),
-        None => within(&run.moved.body.bounds(), side),
+        None => within(&bounds, side),
     };
     let n = hit.entry.normal;
+    // Past the ends of one obstacle after the other: from the far end of the free way back, the
+    // first one would be the last. A round body may come farther before its bounds do.
+    let (mut start, mut aside, mut ground) = (free, Raw::ZERO, *hit);
+    loop {
+        let end = beyond(&bounds, &ground, side);
+        // The way to the hit was rounded.
+        let more = i32::from(end == aside);
+        let end = end.add(Raw { x: side.x.signum().wrapping_mul(more), y: side.y.signum().wrapping_mul(more) });
+        if way(end) <= way(aside) || way(end) >= way(free) {
+            break;
+        }
+        aside = end;
+        match stops(world, run, hit, aside) {
+            Some(next) => ground = next,
+            None => {
+                start = aside;
+                break;
+            }
+        }
+    }
     let ahead = hit.drop().sub(Raw { x: n.x.signum(), y: n.y.signum() });
     // One raw unit beyond the current position: a surface that is only touched is no hit.
-    let back = free.reversed().sub(Raw { x: side.x.signum(), y: side.y.signum() });
-    let edge = run.look_from(world, ahead.add(free), back)?;
-    Some((free.add(edge.drop()), free))
+    let back = start.reversed().sub(Raw { x: side.x.signum(), y: side.y.signum() });
+    let edge = run.look_from(world, ahead.add(start), back)?;
+    Some((start.add(edge.drop()), free))
+}
+
+/// The way to a side, along x or y, from which bounds pass all of what they hit.
+fn beyond(bounds: &Aabb, ground: &Ground, side: Raw) -> Raw {
+    let ((a, b), drop) = (corners_of(&ground.feature.geometry), ground.drop());
+    let (lo, hi) = (bounds.lo().add(drop), bounds.hi().add(drop));
+    let along = |side: i32, (a, b): (i32, i32), lo: i32, hi: i32| match side.signum() {
+        1 => a.max(b).wrapping_sub(lo).max(0),
+        -1 => a.min(b).wrapping_sub(hi).min(0),
+        _ => 0,
+    };
+    Raw { x: along(side.x, (a.x, b.x), lo.x, hi.x), y: along(side.y, (a.y, b.y), lo.y, hi.y) }
 }

@@ -58,7 +58,8 @@ pub(in crate::motion) const CONTACT: i32 = 8;
 const DROP: i32 = 1 << 10;
 
 impl Mover {
-    /// The floor that carries a body which does not move: within 8 raw units of it, against "up".
+    /// The floor that carries a body which does not move: less than 8 raw units below it, against
+    /// "up".
     ///
     /// The mover's slope limit decides which surfaces are floor. One-way faces carry a body that is
     /// entirely above them, unless the mover drops through. A mover without an "up" has no floor.

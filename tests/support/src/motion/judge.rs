@@ -63,7 +63,12 @@ pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcom
         // Past it where it stands now, or where it chose its way.
         let is_past = |body: &Body| is_past(level, body, out.v, hit);
         let was_past = || ways::place_of_last(response, out).is_some_and(|(at, _)| is_past(&at));
-        let passes = dot(out.v, last) >= 0 || is_past(&out.body) || was_past();
+        // Between two corners, on both sides, as far as roundings turn the line through both.
+        let between = |m: &P| {
+            let gap = (last.0 - m.0, last.1 - m.1);
+            dot(*m, last) < 0 && dot(out.v, gap).pow(2) <= 64 * len2(gap)
+        };
+        let passes = dot(out.v, last) >= 0 || is_past(&out.body) || was_past() || axes.iter().any(between);
         check(passes, "still moves into what it hit last")?;
     } else {
         check(out.v == v, "lost velocity without a hit")?;
