@@ -286,6 +286,16 @@ fn a_face_that_is_passed_changes_nothing() {
     }
 }
 
+/// Between two corners, as far apart as a capsule is wide, roundings turn its way into the one that
+/// it met last.
+#[test]
+fn a_gap_between_corners_as_wide_as_a_capsule() {
+    let level = Level::new(&["##.##", "#...#", "#...#", "##...", "####."], px(24)).with_origin(at(48, 192));
+    let capsule = Body::Disc { c: (7_078_408, 15_204_742), core: (0, px(16)), r: px(20) };
+    let out = check(&level, PLAYER, Response::DropThrough, &capsule, (-36_452, -27_310));
+    assert!(out.hits.len() == 4 && out.v.0 < 0 && out.v.1 < 0);
+}
+
 /// On a flat floor with gravity and without friction. `scenes` has other positions and runs without
 /// a judge.
 #[test]

@@ -98,8 +98,7 @@ wrong answers against instructions, and the largest error in those that end in `
   ray is right if it fits one of the two.
 - **Instructions**: callgrind. One call in a loop, with operands in memory and the whole answer
   stored. The loop is included (about 6).
-- **Times** are left out: the machine was never quiet for a whole run. Mispredicted branches and
-  cache misses are in times only. `results.csv` has those times that did not stray.
+- **Times** that did not stray are in `results.csv`: the machine was never quiet for a whole run.
 - **Error**: of depths, and of times of impact as pixels of way. `late`: the share of all hits whose
   time is beyond the true one.
 - **Moves**: a frame is wrong if it ends in the solid, even by a little, or tunnels. Also shown:

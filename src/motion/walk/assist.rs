@@ -121,13 +121,11 @@ fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: 
             break;
         }
         aside = end;
-        match stops(world, run, hit, aside) {
-            Some(next) => ground = next,
-            None => {
-                start = aside;
-                break;
-            }
-        }
+        let Some(next) = stops(world, run, hit, aside) else {
+            start = aside;
+            break;
+        };
+        ground = next;
     }
     let ahead = hit.drop().sub(Raw { x: n.x.signum(), y: n.y.signum() });
     // One raw unit beyond the current position: a surface that is only touched is no hit.
