@@ -226,7 +226,7 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
     let slides = matches!(response, Response::Slide | Response::DropThrough);
     let round = slides && matches!(start, Body::Disc { r, .. } if *r > 0);
     if round {
-        ways::stops_rightly(level, v, response, out)?;
+        ways::stops_rightly(level, start, v, response, out)?;
         ways::keeps_the_longest(level, start, v, response, out)?;
     }
     replays(level, start, v, response, out)

@@ -136,14 +136,16 @@ pub fn off_place(out: &Outcome) -> u8 {
 }
 
 /// The velocities that a body may have come to its last hit with, and their error: what the hits
-/// before leave of that of the call, one after the other, and what leads across the gap between two
-/// of them.
-fn before_last(v: P, response: Response, out: &Outcome) -> (Vec<V>, i128) {
+/// before leave of that of the call, one after the other, what leads across the gap between two of
+/// them, and what a corner that it [touched at first](at_first) leaves before them.
+fn before_last(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> (Vec<V>, i128) {
     let last = out.hits.iter().last().map(|hit| hit.toi);
     let before = || obeyed(response, out).filter(|hit| Some(hit.toi) < last);
     let normals: Vec<P> = before().map(axis).collect();
-    let mut all = vec![normals.iter().fold(fine(v), |u, n| along(u, *n))];
+    let after = |u: V| normals.iter().fold(u, |u, n| along(u, *n));
+    let mut all = vec![after(fine(v))];
     all.extend(gaps(&normals).into_iter().map(|gap| on(fine(v), gap)));
+    all.extend(at_first(level, start, v, out).into_iter().map(|n| after(along(fine(v), n))));
     (all, rounding(v, out, before()))
 }
 
@@ -157,12 +159,12 @@ fn is_along(u: V, t: P, least: i128) -> bool {
 ///
 /// A part of less than [`SLOW`] is no way. A corner that the body turned round since may leave the
 /// latter a part against the former: nothing pushes it that way.
-pub fn stops_rightly(level: &Level, v: P, response: Response, out: &Outcome) -> Result<(), String> {
+pub fn stops_rightly(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let Body::Disc { r, .. } = out.body else { return Ok(()) };
     if r == 0 || out.v != (0, 0) || out.hits.is_empty() || level.overlaps(&out.body) {
         return Ok(());
     }
-    let (before, error) = before_last(v, response, out);
+    let (before, error) = before_last(level, start, v, response, out);
     let has = |t: P| before.iter().all(|u| is_along(*u, t, SLOW + error)) && is_along(fine(v), t, SLOW);
     // Both: beside the end of a face the tangent of its corner may lead into the face by a part of
     // a raw unit, which is gone when it is rounded.
