@@ -62,8 +62,8 @@ fn a_flight_off_a_lift_is_that_on_still_ground() {
         let mut lift = still;
         // Every third leaves by a spring instead of a jump.
         let spring = (random.below(3) == 0).then_some(jump);
-        let (released, run) = (random.below(20), Fx::from_bits(random.around(2 << 16) as i32));
-        let released = if exact { 60 } else { released };
+        let released = if exact { 60 } else { random.below(20) };
+        let run = Fx::from_bits(random.around(2 << 16) as i32);
         let offset = |(hero, lifts): &(Character<B>, [Solid; 1])| hero.body().position() - lifts[0].shape().min();
         for frame in 0..60 {
             let input = Input { run, jump: spring.is_none() && frame < released + 1, drop: false };
