@@ -1,11 +1,15 @@
 //! The first hit in a level that is a grid of tiles. It reads full cells straight from the grid,
 //! and makes only the features that a motion comes to.
 
+use super::block_entry::{Part, entered};
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::into;
 use super::search::{Search, hull};
+use super::sweep_body::corner;
+use super::sweep_round;
 use crate::num::{Axis, Raw, umul};
+use crate::query::cast::crossing::Crossing;
 use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Way, World};
 
 /// The cells to visit: those of a range, or those of a way.
@@ -42,15 +46,6 @@ impl Walk for Way {
 /// The bound of a time may be early by less than a raw unit of way.
 const EARLY: i32 = 4;
 
-/// The position of a body along a side, from the start of its motion to the end.
-enum Over {
-    /// Over its inside all the time.
-    Inside,
-    /// Over neither of its points at any time.
-    Nowhere,
-    Partly,
-}
-
 /// A motion among blocks.
 struct BlockSweep<'a, W, B> {
     world: &'a W,
@@ -68,8 +63,6 @@ struct BlockSweep<'a, W, B> {
     pressed: Option<Raw>,
     /// Whether the cell is beside a partly solid one, so its features must be read.
     is_odd: bool,
-    /// The corners of the full cell that is met.
-    corners: (Raw, Raw),
     first: &'a mut First,
 }
 
@@ -83,8 +76,7 @@ impl<B: Body> Search<'_, B> {
         let front = Raw { x: if d.x > 0 { b.x } else { a.x }, y: if d.y > 0 { b.y } else { a.y } };
         let (span, r) = (body.core_box(), body.rounding());
         let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
-        let mut sweep =
-            BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, corners: (a, b), first };
+        let mut sweep = BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, first };
         let Some(mut block) = self.next_odd(&mut sweep, walk) else { return };
         if W::BLOCKS && !B::ANGULAR {
             return;
@@ -127,85 +119,70 @@ impl<B: Body> Search<'_, B> {
 }
 
 impl<W: World, B: Body> BlockSweep<'_, W, B> {
-    /// The faces that the motion comes to, one across each axis. For a rounded body also the
-    /// corners that have a face which opposes it.
+    /// The face or corner that the motion enters. It is no hit if cells beside it cover it, because
+    /// the motion enters them earlier.
     fn meet_full(&mut self, block: &Block) {
-        let ((lo, hi), d, front) = (self.world.corners(block), self.d, self.front);
-        self.corners = (lo, hi);
-        let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));
-        if d.y > 0 && lo.y >= front.y {
-            self.meet_face(block, 0, lo, Axis::X, width);
-        } else if d.y < 0 && hi.y <= front.y {
-            self.meet_face(block, 2, hi, Axis::NEG_X, width);
-        }
-        if d.x > 0 && lo.x >= front.x {
-            self.meet_face(block, 3, Raw { x: lo.x, y: hi.y }, Axis::NEG_Y, height);
-        } else if d.x < 0 && hi.x <= front.x {
-            self.meet_face(block, 1, Raw { x: hi.x, y: lo.y }, Axis::Y, height);
-        }
-        if B::MEETS_CORNERS && !self.thin {
-            // A rounded body comes to a corner if the nearest corner of its core is in the open
-            // quadrant, and moves toward one of its sides.
-            let (first, last) = self.span;
-            let (left, right) = (last.x + d.x.min(0) < lo.x, first.x + d.x.max(0) > hi.x);
-            if left || right {
-                let (above, below) = (last.y + d.y.min(0) < lo.y, first.y + d.y.max(0) > hi.y);
-                for (index, x, y) in [(4, 1, -1), (5, 1, 1), (6, -1, 1), (7, -1, -1)] {
-                    let beside = if x > 0 { right } else { left };
-                    let across = if y > 0 { below } else { above };
-                    if beside && across && (d.x.wrapping_mul(x) < 0 || d.y.wrapping_mul(y) < 0) {
-                        self.meet_corner(block, index, x, y);
-                    }
-                }
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn meet_face(&mut self, block: &Block, index: u16, a: Raw, dir: Axis, len: i32) {
-        let over = self.over(dir);
-        if matches!(over, Over::Nowhere) || !self.is_free(block, dir.y, dir.x.wrapping_neg()) {
+        let cell = self.world.corners(block);
+        if self.thin {
+            self.meet_face(block, cell, true);
+            self.meet_face(block, cell, false);
             return;
         }
-        let shape = |joined: [bool; 2]| Geometry::Face { a: a.vec2(), dir, len, joined };
-        let mut found = feature(block, index, shape([false; 2]));
-        let mut entry = match over {
-            Over::Inside => self.enter(a, dir),
-            _ => self.body.sweep_block(self.d, &found),
-        };
-        if self.thin || entry.as_ref().is_some_and(|entry| entry.at_end) {
-            // Corner to corner, the cells beside the face matter.
-            if !W::BLOCKS {
-                self.is_odd = true;
-                return;
+        match entered(self.span, self.r, self.d, cell) {
+            Some(Part::X) => self.enter_face(block, cell, true),
+            Some(Part::Y) => self.enter_face(block, cell, false),
+            Some(Part::Corner(x, y)) if B::MEETS_CORNERS => self.meet_corner(block, cell, x, y),
+            Some(Part::Corner(..)) | None => {}
+            Some(Part::Both) => {
+                self.meet_face(block, cell, true);
+                self.meet_face(block, cell, false);
             }
-            let before = self.is_full(block, dir.x.wrapping_neg(), dir.y.wrapping_neg());
-            found.geometry = shape([before, self.is_full(block, dir.x, dir.y)]);
-            entry = self.body.sweep_block(self.d, &found);
-        }
-        self.add(entry.as_ref(), &found);
-    }
-
-    /// The part of a side that the motion leads over.
-    fn over(&self, dir: Axis) -> Over {
-        let ((lo, hi), (a, b), d) = (self.span, self.corners, self.d);
-        let (before, after, d) = if dir.x == 0 { (hi.y - a.y, b.y - lo.y, d.y) } else { (hi.x - a.x, b.x - lo.x, d.x) };
-        let (before_end, after_end) = (before + d, after - d);
-        if before > 0 && before_end > 0 && after > 0 && after_end > 0 {
-            if self.thin { Over::Partly } else { Over::Inside }
-        } else if (before < 0 && before_end < 0) || (after < 0 && after_end < 0) {
-            Over::Nowhere
-        } else {
-            Over::Partly
         }
     }
 
-    /// The entry into a face of a body that stays over the face.
-    fn enter(&self, a: Raw, dir: Axis) -> Option<Entry> {
-        let (gap, into) = if dir.x == 0 { (a.x - self.front.x, self.d.x) } else { (a.y - self.front.y, self.d.y) };
-        let (gap, into) = (gap.unsigned_abs(), into.unsigned_abs());
+    /// The side of a cell that the motion comes to along x, or along y, from its first point in a
+    /// block's order, solid on the left; its index, and how long it is.
+    #[inline]
+    fn side(&self, (lo, hi): (Raw, Raw), along_x: bool) -> (u16, Raw, Axis, i32) {
+        let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));
+        match (along_x, self.d.x < 0, self.d.y < 0) {
+            (true, false, _) => (3, Raw { x: lo.x, y: hi.y }, Axis::NEG_Y, height),
+            (true, true, _) => (1, Raw { x: hi.x, y: lo.y }, Axis::Y, height),
+            (false, _, false) => (0, lo, Axis::X, width),
+            (false, _, true) => (2, hi, Axis::NEG_X, width),
+        }
+    }
+
+    /// A face that the body enters strictly between its ends.
+    #[inline(never)]
+    fn enter_face(&mut self, block: &Block, cell: (Raw, Raw), along_x: bool) {
+        let (index, a, dir, len) = self.side(cell, along_x);
+        if !self.is_free(block, dir.y, dir.x.wrapping_neg()) {
+            return;
+        }
+        let (gap, into) = if along_x { (a.x - self.front.x, self.d.x) } else { (a.y - self.front.y, self.d.y) };
         let normal = crate::world::normal(dir);
-        (gap < into).then_some(Entry { num: gap, den: into, normal, at_end: false, step: None })
+        let entry = Entry { num: gap.unsigned_abs(), den: into.unsigned_abs(), normal, at_end: false, step: None };
+        self.add(Some(&entry), &feature(block, index, Geometry::Face { a: a.vec2(), dir, len, joined: [false; 2] }));
+    }
+
+    /// A face of which the body may meet only an end.
+    #[inline(never)]
+    fn meet_face(&mut self, block: &Block, cell: (Raw, Raw), along_x: bool) {
+        let (index, a, dir, len) = self.side(cell, along_x);
+        if !self.is_free(block, dir.y, dir.x.wrapping_neg()) {
+            return;
+        }
+        // Corner to corner, the cells beside the face matter.
+        if !W::BLOCKS {
+            self.is_odd = true;
+            return;
+        }
+        let before = self.is_full(block, dir.x.wrapping_neg(), dir.y.wrapping_neg());
+        let joined = [before, self.is_full(block, dir.x, dir.y)];
+        let found = feature(block, index, Geometry::Face { a: a.vec2(), dir, len, joined });
+        let entry = self.body.sweep_block(self.d, &found);
+        self.add(entry.as_ref(), &found);
     }
 
     /// Whether the motion comes to a cell only after its first hit so far: by more than the raw
@@ -226,28 +203,26 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
 
     /// The corner of the sides toward `x` and `y`.
     #[inline(never)]
-    fn meet_corner(&mut self, block: &Block, index: u16, x: i32, y: i32) {
-        let (lo, hi) = self.corners;
-        let p = Raw { x: if x > 0 { hi.x } else { lo.x }, y: if y > 0 { hi.y } else { lo.y } };
-        if !self.comes_to(p, x, y) || !self.is_free(block, x, 0) || !self.is_free(block, 0, y) {
+    fn meet_corner(&mut self, block: &Block, (lo, hi): (Raw, Raw), x: i32, y: i32) {
+        if !self.is_free(block, x, 0) || !self.is_free(block, 0, y) {
             return;
         }
+        let (first, last) = self.span;
+        let (p, end) = (corner(lo, hi, Axis::new(x, y)), corner(last, first, Axis::new(x, y)));
+        let m = end.sub(p);
+        let Some(hit) = &Crossing::of(m, self.r, self.d) else { return };
+        let entry = sweep_round::entry(hit, m, self.d);
         // The edges in a block's order, solid on the left: of the two orders the one that turns.
         let (along, down) = (Axis::new(x, 0), Axis::new(0, y.wrapping_neg()));
         let (e_in, e_out) = if x == y { (down.reversed(), along.reversed()) } else { (along, down) };
-        let found = feature(block, index, Geometry::Vertex { p: p.vec2(), e_in, e_out });
-        self.add(self.body.sweep_block(self.d, &found).as_ref(), &found);
-    }
-
-    /// Whether the inside of the motion's bounds holds a corner.
-    fn comes_to(&self, p: Raw, x: i32, y: i32) -> bool {
-        let ((first, last), d) = (self.span, self.d);
-        // No, if it stays outside of the corner by at least the radius.
-        let along = |first: i32, last: i32, d: i32, p: i32, side: i32| {
-            let nearest = if side > 0 { first + d.min(0) - p } else { p - last - d.max(0) };
-            nearest < self.r
+        let index = match (x > 0, y > 0) {
+            (true, false) => 4,
+            (true, true) => 5,
+            (false, true) => 6,
+            (false, false) => 7,
         };
-        along(first.x, last.x, d.x, p.x, x) && along(first.y, last.y, d.y, p.y, y)
+        let found = feature(block, index, Geometry::Vertex { p: p.vec2(), e_in, e_out });
+        self.add(entry.as_ref(), &found);
     }
 
     #[inline(never)]

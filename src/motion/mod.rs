@@ -95,6 +95,7 @@
 //! ```
 
 mod along;
+mod block_entry;
 mod blocks;
 mod body;
 mod cast;

@@ -151,29 +151,46 @@ impl<'m, B: Body> Run<'m, B> {
     /// integers, and rounding toward the integer start passes none.
     #[inline(never)]
     pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, q: Raw, u: Raw) -> Raw {
-        // Corners: rounding away from one corner may graze another. Tries lattice neighbours toward
-        // the start, then aside, then two back.
-        const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         if q.is_zero() {
             return q;
         }
+        let first = on_the_way(q, d);
+        if self.places(world, first, u) { first } else { self.place_beside(world, d, q, u) }
+    }
+
+    /// Looks for room near the displacement up to a hit: rounding away from one corner may graze
+    /// another. Tries lattice neighbours toward the start, then aside, then two back.
+    #[cold]
+    #[inline(never)]
+    fn place_beside<W: World>(&mut self, world: &W, d: Raw, q: Raw, u: Raw) -> Raw {
+        const STEPS: [(i32, i32); 6] = [(-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         // In a gap that closes slowly, there is room only farther back. Positions there are on the
         // motion's own line: the hit's is rounded away from one surface, which may be into another.
-        let mut back = 0;
-        while back < way(q).min(2 * Self::FARTHEST) {
-            let q = if back == 0 { q } else { part_of(d, way(q).wrapping_sub(back)) };
+        let (mut at, mut back) = (q, 0);
+        loop {
             for (x, y) in STEPS {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
-                let q = on_the_way(q.add(step), d);
-                // Each way made is a part of the velocity. With the same velocity no position
-                // therefore repeats.
-                if (q.is_zero() || u.dot(q) > 0) && self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS) {
+                let q = on_the_way(at.add(step), d);
+                if self.places(world, q, u) {
                     return q;
                 }
             }
             back = (back << 1).max(4);
+            if back >= way(q).min(2 * Self::FARTHEST) {
+                return Raw::ZERO;
+            }
+            at = part_of(d, way(q).wrapping_sub(back));
+            let q = on_the_way(at, d);
+            if self.places(world, q, u) {
+                return q;
+            }
         }
-        Raw::ZERO
+    }
+
+    /// Moves by a displacement if there is room, and it is not against `u`. Each way made is a part
+    /// of the velocity. With the same velocity no position therefore repeats.
+    fn places<W: World>(&mut self, world: &W, q: Raw, u: Raw) -> bool {
+        (q.is_zero() || u.dot(q) > 0) && self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS)
     }
 
     /// Takes the first displacement that the exact overlap test accepts; otherwise the body stays.

@@ -206,6 +206,9 @@ impl Grid {
         if end >= distance {
             return index;
         }
+        if !SPLIT {
+            return self.quotient(distance.wrapping_sub(1) as u32) as i32;
+        }
         while end < distance {
             (index, end) = (index.wrapping_add(1), end.wrapping_add(self.cell));
         }

@@ -19,7 +19,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// At a slope s of at most 1, a disc reaches `r sqrt(1 + s^2) < r (1 + 7 s / 16)` aside of its
     /// centre's line, and its bounds `r (1 + s)`. So it is where bounds would be that start to
     /// reach aside 9/16 of the radius behind the front, and end so much earlier.
-    #[inline(never)]
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(in crate::world) const fn way(&self, bounds: &Aabb, r: i32, d: Raw) -> Way {
         let (m, lo, hi) = (Way::MARGIN, bounds.lo(), bounds.hi());
         let x = Side { lo: lo.x.wrapping_sub(m), hi: hi.x.wrapping_add(m), d: d.x };
@@ -81,7 +82,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///
     /// While the body is in the strip, its trailing end goes from where it is when the front comes
     /// in, and its leading end to where it is when the rear leaves.
-    #[inline(never)]
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(in crate::world) const fn next_strip(&self, way: &mut Way) {
         let cell = self.grid.cell;
         way.is_first = way.from < 0;

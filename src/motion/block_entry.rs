@@ -1,0 +1,204 @@
+//! Through which of its sides and corners a body enters a full cell.
+
+use crate::num::{Raw, umul};
+use core::cmp::Ordering;
+
+/// The part of a full cell's outline that a motion enters. A cell grown by a body is convex, so
+/// there is only one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// The side that the motion comes to along x.
+    X,
+    /// The side that it comes to along y.
+    Y,
+    /// Both sides at once: a corner of a box meets their corner exactly.
+    Both,
+    /// Of a rounded body, the corner toward these sides, each 1 or -1.
+    Corner(i32, i32),
+}
+
+/// One axis, mirrored if the motion leads against it: the core is a point at 0 that moves by `way`,
+/// not negative, toward the cell, which the core has grown.
+struct Along {
+    /// The nearer side of the cell.
+    near: i32,
+    /// The farther one.
+    far: i32,
+    /// From the body to the nearer side. Below zero if it is already past that.
+    gap: i32,
+    way: i32,
+    /// The direction of the nearer side.
+    side: i32,
+}
+
+impl Along {
+    /// Nothing if the body never comes between the sides: at them is not between.
+    #[inline(always)]
+    fn of((first, last): (i32, i32), r: i32, d: i32, (lo, hi): (i32, i32)) -> Option<Self> {
+        let (near, far) = (lo.wrapping_sub(last), hi.wrapping_sub(first));
+        let (near, far, way, side) =
+            if d < 0 { (far.wrapping_neg(), near.wrapping_neg(), d.wrapping_neg(), 1) } else { (near, far, d, -1) };
+        let gap = near.wrapping_sub(r);
+        (gap < way && far.wrapping_add(r) > 0).then_some(Self { near, far, gap, way, side })
+    }
+
+    /// How this coordinate compares with `at` when the body comes to the nearer side of the other
+    /// axis, after `gap / way` of the motion.
+    #[inline(always)]
+    fn compare(&self, at: i32, other: &Self) -> Ordering {
+        // The part of the way is from 0 to less than 1.
+        if at < 0 {
+            return Ordering::Greater;
+        }
+        if at > 0 && at >= self.way {
+            return Ordering::Less;
+        }
+        umul(self.way as u32, other.gap as u32).cmp(&umul(at as u32, other.way as u32))
+    }
+
+    /// Where this coordinate is at that moment. A rounded body enters a side at its ends too.
+    #[inline(always)]
+    fn place(&self, other: &Self, round: bool) -> Place {
+        match self.compare(self.near, other) {
+            Ordering::Less => Place::Before,
+            Ordering::Equal if !round => Place::AtNear,
+            _ => match self.compare(self.far, other) {
+                Ordering::Less => Place::Between,
+                Ordering::Equal if round => Place::Between,
+                _ => Place::Beyond,
+            },
+        }
+    }
+}
+
+/// Where a body is along one axis, as seen from the sides of a cell.
+enum Place {
+    Before,
+    /// A box, exactly at the nearer side.
+    AtNear,
+    Between,
+    Beyond,
+}
+
+/// The part that the core `first..last`, with the radius `r` around it, enters as it moves by `d`
+/// to the cell `lo..hi`. For bodies with area that do not overlap the cell.
+///
+/// What it says of sides is exact. The corner that it names may be missed, but no other part is
+/// entered, and the disc around that corner only in the corner's quadrant.
+///
+/// ```text
+///   both :   Y    : beyond    Where the body comes to the line of the near side along x decides:
+///   - - -+--------+- - -      between the lines along y it enters X, after them at most the
+///        |        |           corner beyond. Before them, the line along y decides likewise. The
+///     X  |  cell  |           body is r before the lines then; if it comes to both before the
+///        |        |           sides begin, only the corner of both is ahead.
+///   - - -+--------+- - -
+/// beyond :        :
+/// ```
+#[inline(always)]
+pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw, Raw)) -> Option<Part> {
+    let x = Along::of((first.x, last.x), r, d.x, (lo.x, hi.x))?;
+    let y = Along::of((first.y, last.y), r, d.y, (lo.y, hi.y))?;
+    let (round, both) = (r != 0, Part::Corner(x.side, y.side));
+    let beyond_y = Part::Corner(x.side, y.side.wrapping_neg());
+    let beyond_x = Part::Corner(x.side.wrapping_neg(), y.side);
+    let mut comes_before = false;
+    if x.gap >= 0 {
+        match y.place(&x, round) {
+            Place::Between => return Some(Part::X),
+            Place::AtNear => return Some(Part::Both),
+            Place::Beyond => return round.then_some(beyond_y),
+            Place::Before => comes_before = true,
+        }
+    }
+    if y.gap >= 0 {
+        return match x.place(&y, round) {
+            Place::Between => Some(Part::Y),
+            Place::AtNear => Some(Part::Both),
+            Place::Beyond => round.then_some(beyond_x),
+            Place::Before => round.then_some(both),
+        };
+    }
+    if comes_before {
+        return round.then_some(both);
+    }
+    // It starts between the lines of all sides, grown by the radius: only beside a corner is it
+    // outside.
+    let (before_x, before_y) = (x.near > 0, y.near > 0);
+    let (after_x, after_y) = (x.far < 0, y.far < 0);
+    if before_x && before_y {
+        Some(both)
+    } else if before_x && after_y {
+        Some(beyond_y)
+    } else if after_x && before_y {
+        Some(beyond_x)
+    } else {
+        None
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::indexing_slicing, reason = "a test")]
+mod tests {
+    use super::super::sweep_face::{Face, sweep_face};
+    use super::super::sweep_round::{self, enter_quarter};
+    use super::{Part, entered};
+    use crate::num::{Axis, Raw};
+    use crate::query::cast::crossing::Crossing;
+
+    const LO: Raw = Raw { x: 0, y: 0 };
+    const HI: Raw = Raw { x: 4, y: 3 };
+
+    fn face(along_x: bool, d: Raw) -> Face {
+        let (a, dir, len) = match (along_x, d.x < 0, d.y < 0) {
+            (true, false, _) => (Raw { x: 0, y: 3 }, Axis::NEG_Y, 3),
+            (true, true, _) => (Raw { x: 4, y: 0 }, Axis::Y, 3),
+            (false, _, false) => (LO, Axis::X, 4),
+            (false, _, true) => (HI, Axis::NEG_X, 4),
+        };
+        Face { a, dir, len, joined: [false; 2] }
+    }
+
+    /// Boxes, discs and capsules at all places around a cell, by all short motions: sweeps against
+    /// each side and each corner find what this one decision says, and nothing else. The disc of
+    /// the corner that it names is entered in that corner's quadrant, or not at all.
+    #[test]
+    fn one_part_is_entered_and_no_other() {
+        let mut found = [0u32; 4];
+        for (w, h, r) in [(1, 1, 0), (3, 5, 0), (6, 2, 0), (0, 0, 1), (0, 0, 2), (0, 0, 3), (0, 2, 2), (5, 0, 1)] {
+            for (x, y) in (-11..10).flat_map(|x| (-11..10).map(move |y| (x, y))) {
+                let (first, last) = (Raw { x, y }, Raw { x: x + w, y: y + h });
+                for d in (-8..9).flat_map(|x| (-8..9).map(move |y| Raw { x, y })) {
+                    let part = entered((first, last), r, d, (LO, HI));
+                    let case = (first, last, r, d, part);
+                    for along_x in [true, false] {
+                        let entry = sweep_face((first, last), r, d, &face(along_x, d));
+                        let mine = if along_x { Part::X } else { Part::Y };
+                        assert_eq!(entry.is_some(), part == Some(mine) || part == Some(Part::Both), "{case:?}");
+                        assert!(entry.is_none_or(|entry| entry.at_end == (part == Some(Part::Both))), "{case:?}");
+                    }
+                    for (x, y) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
+                        let p = Raw { x: if x > 0 { HI.x } else { LO.x }, y: if y > 0 { HI.y } else { LO.y } };
+                        let end =
+                            Raw { x: if x > 0 { first.x } else { last.x }, y: if y > 0 { first.y } else { last.y } };
+                        let m = end.sub(p);
+                        let entry = enter_quarter(m, r, d, Axis::new(x, y), false);
+                        if part == Some(Part::Corner(x, y)) {
+                            let disc = Crossing::of(m, r, d).and_then(|hit| sweep_round::entry(&hit, m, d));
+                            assert_eq!(disc.is_some(), entry.is_some(), "{case:?} {x} {y}");
+                        } else {
+                            assert!(r == 0 || entry.is_none(), "{case:?} {x} {y}");
+                        }
+                    }
+                    match part {
+                        Some(Part::X | Part::Y) => found[0] += 1,
+                        Some(Part::Both) => found[1] += 1,
+                        Some(Part::Corner(..)) => found[2] += 1,
+                        None => found[3] += 1,
+                    }
+                }
+            }
+        }
+        assert!(found.iter().all(|&count| count > 300), "{found:?}");
+    }
+}
