@@ -60,7 +60,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if lo.x == hi.x || lo.y == hi.y {
                 return self.thin_overlaps(lo, hi);
             }
-            return self.any_solid(self.solid_range_of(lo, hi), |solid| solid.meets_box::<S, false>(lo, hi));
+            return self.any_solid(self.solid_range_of(lo, hi).0, |solid| solid.meets_box::<S, false>(lo, hi));
         }
         self.box_overlaps_blocks(lo, hi)
     }
@@ -107,19 +107,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         false
     }
 
-    /// The cells that can hold solid and meet a box with area in their inside.
-    #[inline]
-    pub(super) const fn solid_range_of(&self, lo: Raw, hi: Raw) -> Range {
-        match self.range_inside(lo, hi) {
-            Some(range) => range,
-            None => self.solid_range(self.open_range(lo, hi)),
-        }
-    }
-
     /// Whether a full cell of a range passes a test of its corners.
     #[inline]
-    pub(super) fn any_full(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
-        if !(self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1)) {
+    pub(super) fn any_full(&self, (range, in_map): (Range, bool), test: impl Fn((Raw, Raw)) -> bool) -> bool {
+        if !in_map {
             let mut walk = self.walk_of(range, Range::NONE);
             while self.walk(&mut walk) {
                 if walk.kind.is_full() && test(self.extent(walk.x, walk.y)) {
@@ -152,9 +143,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         false
     }
 
-    fn circle_meets<const CLOSED: bool>(&self, c: Raw, r: i32, range: Range) -> bool {
+    fn circle_meets<const CLOSED: bool>(&self, c: Raw, r: i32, range: (Range, bool)) -> bool {
         if S::SHAPED {
-            return self.any_solid(range, |solid| solid.meets_circle::<S, CLOSED>(c, r));
+            return self.any_solid(range.0, |solid| solid.meets_circle::<S, CLOSED>(c, r));
         }
         self.any_full(range, |(lo, hi)| meet::circle_aabb::<CLOSED>(c, r, lo, hi))
     }
@@ -258,14 +249,15 @@ impl<S: Set, T: Store> Touches<Aabb> for TileMap<'_, S, T> {
         if S::SHAPED {
             return self.any_solid(range, |solid| solid.meets_box::<S, true>(lo, hi));
         }
-        self.any_full(range, |_| true)
+        self.any_full(self.placed(range), |_| true)
     }
 }
 
 impl<S: Set, T: Store> Touches<Circle> for TileMap<'_, S, T> {
     fn touches(&self, b: &Circle) -> bool {
         let bounds = b.aabb();
-        self.circle_meets::<true>(b.c(), b.r(), self.solid_range(self.closed_range(bounds.lo(), bounds.hi())))
+        let range = self.solid_range(self.closed_range(bounds.lo(), bounds.hi()));
+        self.circle_meets::<true>(b.c(), b.r(), self.placed(range))
     }
 }
 

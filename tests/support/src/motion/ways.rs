@@ -238,6 +238,15 @@ fn at_first(level: &Level, start: &Body, v: P, out: &Outcome) -> Vec<P> {
     corners(level, &start.moved(Time::parts(hit.toi.raw()).part_of(v)), r)
 }
 
+/// Whether it touches a corner there beside what it hits: by 16 raw or more of the corner's circle,
+/// which is more than the place is rounded by.
+pub fn touches_another_at_first(level: &Level, start: &Body, v: P, out: &Outcome) -> bool {
+    let Some(hit) = out.hits.first() else { return false };
+    let n = axis(&hit);
+    let aside = |m: &P| dot(*m, (-n.1, n.0)).abs();
+    at_first(level, start, v, out).iter().any(|m| aside(m) > 16 * len2(n).isqrt())
+}
+
 /// The place of the last hit, if the body has moved on from there by its velocity alone.
 pub fn place_of_last(response: Response, out: &Outcome) -> Option<(Body, Hit)> {
     let last = *out.hits.iter().last()?;
