@@ -33,7 +33,7 @@ struct Along {
 
 impl Along {
     /// Nothing if the body never comes between the sides: at them is not between.
-    #[inline(always)]
+    #[inline]
     fn of((first, last): (i32, i32), r: i32, d: i32, (lo, hi): (i32, i32)) -> Option<Self> {
         let (near, far) = (lo.wrapping_sub(last), hi.wrapping_sub(first));
         let (near, far, way, side) =
@@ -42,27 +42,24 @@ impl Along {
         (gap < way && far.wrapping_add(r) > 0).then_some(Self { near, far, gap, way, side })
     }
 
-    /// How this coordinate compares with `at` when the body comes to the nearer side of the other
-    /// axis, after `gap / way` of the motion.
-    #[inline(always)]
-    fn compare(&self, at: i32, other: &Self) -> Ordering {
-        // The part of the way is from 0 to less than 1.
-        if at < 0 {
-            return Ordering::Greater;
-        }
-        if at > 0 && at >= self.way {
-            return Ordering::Less;
-        }
-        umul(self.way as u32, other.gap as u32).cmp(&umul(at as u32, other.way as u32))
-    }
-
-    /// Where this coordinate is at that moment. A rounded body enters a side at its ends too.
-    #[inline(always)]
+    /// Where this coordinate is when the body comes to the nearer side of the other axis, after
+    /// `gap / way` of the motion. A rounded body enters a side at its ends too.
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn place(&self, other: &Self, round: bool) -> Place {
-        match self.compare(self.near, other) {
+        // That part is from 0 to less than 1. Mostly this decides, without a product.
+        if self.near > 0 && self.near >= self.way {
+            return Place::Before;
+        }
+        if self.near < 0 && self.far > 0 && self.far >= self.way {
+            return Place::Between;
+        }
+        let made = umul(self.way as u32, other.gap as u32);
+        let from = |at: i32| if at < 0 { Ordering::Greater } else { made.cmp(&umul(at as u32, other.way as u32)) };
+        match from(self.near) {
             Ordering::Less => Place::Before,
             Ordering::Equal if !round => Place::AtNear,
-            _ => match self.compare(self.far, other) {
+            _ => match from(self.far) {
                 Ordering::Less => Place::Between,
                 Ordering::Equal if round => Place::Between,
                 _ => Place::Beyond,
@@ -95,7 +92,8 @@ enum Place {
 ///   - - -+--------+- - -
 /// beyond :        :
 /// ```
-#[inline(always)]
+#[cfg_attr(target_pointer_width = "64", inline(always))]
+#[cfg_attr(not(target_pointer_width = "64"), inline)]
 pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw, Raw)) -> Option<Part> {
     let x = Along::of((first.x, last.x), r, d.x, (lo.x, hi.x))?;
     let y = Along::of((first.y, last.y), r, d.y, (lo.y, hi.y))?;
@@ -123,14 +121,14 @@ pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw,
         return round.then_some(both);
     }
     // It starts between the lines of all sides, grown by the radius: only beside a corner is it
-    // outside.
+    // outside. Into one that is not ahead along both axes it has to move along the other.
     let (before_x, before_y) = (x.near > 0, y.near > 0);
     let (after_x, after_y) = (x.far < 0, y.far < 0);
     if before_x && before_y {
         Some(both)
-    } else if before_x && after_y {
+    } else if before_x && after_y && x.way > 0 {
         Some(beyond_y)
-    } else if after_x && before_y {
+    } else if after_x && before_y && y.way > 0 {
         Some(beyond_x)
     } else {
         None

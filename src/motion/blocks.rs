@@ -7,10 +7,12 @@ use super::order::First;
 use super::plane::into;
 use super::search::{Search, hull};
 use super::sweep_body::corner;
-use super::sweep_round;
-use crate::num::{Axis, Raw, umul};
+use super::sweep_face::{Face, sweep_face};
+use super::sweep_round::{self, enter_quarter};
+use crate::num::{Axis, LONG, Raw, umul};
 use crate::query::cast::crossing::Crossing;
 use crate::world::{Block, Cell, Cells, Feature, Fill, Geometry, Way, World};
+use core::marker::PhantomData;
 
 /// The cells to visit: those of a range, or those of a way.
 pub(super) trait Walk {
@@ -49,7 +51,7 @@ const EARLY: i32 = 4;
 /// A motion among blocks.
 struct BlockSweep<'a, W, B> {
     world: &'a W,
-    body: &'a B,
+    body: PhantomData<B>,
     d: Raw,
     /// The corner of the bounds that goes first. The motion comes to no face behind it.
     front: Raw,
@@ -76,7 +78,7 @@ impl<B: Body> Search<'_, B> {
         let front = Raw { x: if d.x > 0 { b.x } else { a.x }, y: if d.y > 0 { b.y } else { a.y } };
         let (span, r) = (body.core_box(), body.rounding());
         let (thin, pressed) = (a.x == b.x || a.y == b.y, self.pressed);
-        let mut sweep = BlockSweep { world, body, d, front, span, r, thin, pressed, is_odd: false, first };
+        let mut sweep = BlockSweep { world, body: PhantomData, d, front, span, r, thin, pressed, is_odd: false, first };
         let Some(mut block) = self.next_odd(&mut sweep, walk) else { return };
         if W::BLOCKS && !B::ANGULAR {
             return;
@@ -97,7 +99,8 @@ impl<B: Body> Search<'_, B> {
     }
 
     /// Takes the hits of cells up to the next one whose features must be read.
-    #[inline(never)]
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     fn next_odd<W: World, K: Walk>(&mut self, sweep: &mut BlockSweep<'_, W, B>, walk: &mut K) -> Option<Block> {
         while let Some(block) = walk.next_block(sweep.world, sweep.first) {
             let is_full = block.kind.fill() == Fill::Full;
@@ -123,20 +126,16 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
     /// the motion enters them earlier.
     fn meet_full(&mut self, block: &Block) {
         let cell = self.world.corners(block);
-        if self.thin {
-            self.meet_face(block, cell, true);
-            self.meet_face(block, cell, false);
-            return;
-        }
-        match entered(self.span, self.r, self.d, cell) {
-            Some(Part::X) => self.enter_face(block, cell, true),
-            Some(Part::Y) => self.enter_face(block, cell, false),
+        let part = if self.thin { Some(Part::Both) } else { entered(self.span, self.r, self.d, cell) };
+        match part {
+            Some(Part::X) => self.meet_face(block, cell, true, false),
+            Some(Part::Y) => self.meet_face(block, cell, false, false),
+            Some(Part::Both) => {
+                self.meet_face(block, cell, true, true);
+                self.meet_face(block, cell, false, true);
+            }
             Some(Part::Corner(x, y)) if B::MEETS_CORNERS => self.meet_corner(block, cell, x, y),
             Some(Part::Corner(..)) | None => {}
-            Some(Part::Both) => {
-                self.meet_face(block, cell, true);
-                self.meet_face(block, cell, false);
-            }
         }
     }
 
@@ -153,25 +152,20 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         }
     }
 
-    /// A face that the body enters strictly between its ends.
+    /// A face that the body enters between its ends, or of which it may meet only an end.
     #[inline(never)]
-    fn enter_face(&mut self, block: &Block, cell: (Raw, Raw), along_x: bool) {
+    fn meet_face(&mut self, block: &Block, cell: (Raw, Raw), along_x: bool, at_end: bool) {
         let (index, a, dir, len) = self.side(cell, along_x);
-        if !self.is_free(block, dir.y, dir.x.wrapping_neg()) {
+        let normal = crate::world::normal(dir);
+        if !self.is_free(block, normal.x, normal.y) {
             return;
         }
-        let (gap, into) = if along_x { (a.x - self.front.x, self.d.x) } else { (a.y - self.front.y, self.d.y) };
-        let normal = crate::world::normal(dir);
-        let entry = Entry { num: gap.unsigned_abs(), den: into.unsigned_abs(), normal, at_end: false, step: None };
-        self.add(Some(&entry), &feature(block, index, Geometry::Face { a: a.vec2(), dir, len, joined: [false; 2] }));
-    }
-
-    /// A face of which the body may meet only an end.
-    #[inline(never)]
-    fn meet_face(&mut self, block: &Block, cell: (Raw, Raw), along_x: bool) {
-        let (index, a, dir, len) = self.side(cell, along_x);
-        if !self.is_free(block, dir.y, dir.x.wrapping_neg()) {
-            return;
+        let joined = [false; 2];
+        let mut found = feature(block, index, Geometry::Face { a: a.vec2(), dir, len, joined });
+        if !at_end {
+            let (gap, into) = if along_x { (a.x - self.front.x, self.d.x) } else { (a.y - self.front.y, self.d.y) };
+            let entry = Entry { num: gap.unsigned_abs(), den: into.unsigned_abs(), normal, at_end, step: None };
+            return self.add(Some(&entry), &found);
         }
         // Corner to corner, the cells beside the face matter.
         if !W::BLOCKS {
@@ -180,9 +174,8 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         }
         let before = self.is_full(block, dir.x.wrapping_neg(), dir.y.wrapping_neg());
         let joined = [before, self.is_full(block, dir.x, dir.y)];
-        let found = feature(block, index, Geometry::Face { a: a.vec2(), dir, len, joined });
-        let entry = self.body.sweep_block(self.d, &found);
-        self.add(entry.as_ref(), &found);
+        found.geometry = Geometry::Face { a: a.vec2(), dir, len, joined };
+        self.sweep(&Face { a, dir, len, joined }, &found);
     }
 
     /// Whether the motion comes to a cell only after its first hit so far: by more than the raw
@@ -210,8 +203,12 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         let (first, last) = self.span;
         let (p, end) = (corner(lo, hi, Axis::new(x, y)), corner(last, first, Axis::new(x, y)));
         let m = end.sub(p);
-        let Some(hit) = &Crossing::of(m, self.r, self.d) else { return };
-        let entry = sweep_round::entry(hit, m, self.d);
+        // Known to be in the corner's quadrant. On chips the sweep that tests it is linked anyway.
+        let entry = if LONG {
+            Crossing::of(m, self.r, self.d).and_then(|hit| sweep_round::entry(&hit, m, self.d))
+        } else {
+            enter_quarter(m, self.r, self.d, Axis::new(x, y), false)
+        };
         // The edges in a block's order, solid on the left: of the two orders the one that turns.
         let (along, down) = (Axis::new(x, 0), Axis::new(0, y.wrapping_neg()));
         let (e_in, e_out) = if x == y { (down.reversed(), along.reversed()) } else { (along, down) };
@@ -225,10 +222,18 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         self.add(entry.as_ref(), &found);
     }
 
+    /// A block that is solid on its upper side alone. Shaped ones are read as features.
     #[inline(never)]
     fn meet_one_way(&mut self, block: &Block) {
-        let Some(face) = &self.world.one_way_face(block) else { return };
-        self.add(self.body.sweep_in::<W>(self.d, face).as_ref(), face);
+        let Some(found) = &self.world.one_way_face(block) else { return };
+        let Geometry::Face { a, dir, len, joined } = found.geometry else { return };
+        let face = Face { a: Raw::of(a), dir, len, joined };
+        self.sweep(&face, found);
+    }
+
+    #[inline(never)]
+    fn sweep(&mut self, face: &Face, found: &Feature) {
+        self.add(sweep_face(self.span, self.r, self.d, face).as_ref(), found);
     }
 
     fn add(&mut self, entry: Option<&Entry>, found: &Feature) {

@@ -8,7 +8,7 @@ use super::plane::{SurfaceRole, long, way};
 use super::search::{Around, Search, hull};
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, DOMAIN, Raw, Toi, mul_div};
+use crate::num::{Axis, DOMAIN, LONG, Raw, Toi, mul_div};
 use crate::shape::Aabb;
 use crate::world::{Feature, World};
 
@@ -151,44 +151,38 @@ impl<'m, B: Body> Run<'m, B> {
     /// integers, and rounding toward the integer start passes none.
     #[inline(never)]
     pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, q: Raw, u: Raw) -> Raw {
+        // Corners: rounding away from one corner may graze another. Tries lattice neighbours toward
+        // the start, then aside, then two back.
+        const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         if q.is_zero() {
             return q;
         }
+        // The compiler computes all steps before it tries the first: in 90 instructions on a
+        // desktop, and in 6 on a Cortex-M0, where a second copy of the test would take 100 bytes.
         let first = on_the_way(q, d);
-        if self.places(world, first, u) { first } else { self.place_beside(world, d, q, u) }
-    }
-
-    /// Looks for room near the displacement up to a hit: rounding away from one corner may graze
-    /// another. Tries lattice neighbours toward the start, then aside, then two back.
-    #[cold]
-    #[inline(never)]
-    fn place_beside<W: World>(&mut self, world: &W, d: Raw, q: Raw, u: Raw) -> Raw {
-        const STEPS: [(i32, i32); 6] = [(-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
+        if LONG && self.places(world, first, u) {
+            return first;
+        }
         // In a gap that closes slowly, there is room only farther back. Positions there are on the
         // motion's own line: the hit's is rounded away from one surface, which may be into another.
-        let (mut at, mut back) = (q, 0);
-        loop {
-            for (x, y) in STEPS {
+        let (mut back, mut tried) = (0, usize::from(LONG));
+        while back < way(q).min(2 * Self::FARTHEST) {
+            let q = if back == 0 { q } else { part_of(d, way(q).wrapping_sub(back)) };
+            for (x, y) in STEPS.into_iter().skip(tried) {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
-                let q = on_the_way(at.add(step), d);
+                let q = on_the_way(q.add(step), d);
                 if self.places(world, q, u) {
                     return q;
                 }
             }
-            back = (back << 1).max(4);
-            if back >= way(q).min(2 * Self::FARTHEST) {
-                return Raw::ZERO;
-            }
-            at = part_of(d, way(q).wrapping_sub(back));
-            let q = on_the_way(at, d);
-            if self.places(world, q, u) {
-                return q;
-            }
+            (back, tried) = ((back << 1).max(4), 0);
         }
+        Raw::ZERO
     }
 
     /// Moves by a displacement if there is room, and it is not against `u`. Each way made is a part
     /// of the velocity. With the same velocity no position therefore repeats.
+    #[inline]
     fn places<W: World>(&mut self, world: &W, q: Raw, u: Raw) -> bool {
         (q.is_zero() || u.dot(q) > 0) && self.take(world, q, W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS)
     }

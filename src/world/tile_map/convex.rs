@@ -14,10 +14,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if let (false, Some(thin)) = (CLOSED, body.as_box()) {
             return self.overlaps(thin);
         }
-        let range =
-            if CLOSED { self.placed(self.solid_range(self.closed_range(lo, hi))) } else { self.solid_range_of(lo, hi) };
+        let range = if CLOSED { self.solid_range(self.closed_range(lo, hi)) } else { self.solid_range_of(lo, hi) };
         if S::SHAPED {
-            self.any_solid(range.0, |solid| meets_tile::<S, CLOSED>(body, solid))
+            self.any_solid(range, |solid| meets_tile::<S, CLOSED>(body, solid))
         } else {
             self.any_full(range, |(lo, hi)| body.meets_box::<CLOSED>(lo, hi))
         }

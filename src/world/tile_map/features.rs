@@ -83,7 +83,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     pub(super) const fn features_for(&self, look: &CellQuery) -> Features<'_, S, T> {
         let ((lo, hi), one) = (look.region, Raw { x: 1, y: 1 });
-        let range = self.solid_range_of(lo.sub(one), hi.add(one)).0;
+        let range = self.solid_range_of(lo.sub(one), hi.add(one));
         Features { map: self, look: *look, walk: self.walk_of(range, Range::NONE), surface: S::CellSurface::NONE }
     }
 

@@ -245,19 +245,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Some(Range { x0: first_x, y0: first_y, x1: grid.last_before(x1, first_x), y1: grid.last_before(y1, first_y) })
     }
 
-    /// The cells that can hold solid and meet a box with area in their inside, and whether all are
-    /// in the map.
-    #[inline(always)]
-    pub(super) const fn solid_range_of(&self, lo: Raw, hi: Raw) -> (Range, bool) {
+    /// The cells that can hold solid and meet a box with area in their inside.
+    #[inline]
+    pub(super) const fn solid_range_of(&self, lo: Raw, hi: Raw) -> Range {
         match self.range_inside(lo, hi) {
-            Some(range) => (range, true),
-            None => self.placed(self.solid_range(self.open_range(lo, hi))),
+            Some(range) => range,
+            None => self.solid_range(self.open_range(lo, hi)),
         }
-    }
-
-    /// A range, and whether it is all in the map.
-    pub(super) const fn placed(&self, range: Range) -> (Range, bool) {
-        (range, self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1))
     }
 
     /// The cells that a region that is not all inside the map meets.

@@ -5,13 +5,12 @@
 
 use super::outline::{Form, FormKind};
 use super::{Outside, Set, Store, TileMap};
-use crate::num::{Raw, usqr};
+use crate::num::{LONG, Raw, usqr};
 use crate::query::meet::{gap, in_disc};
 use crate::query::{Overlaps, Touches, meet};
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Cells, Range};
 use crate::world::level::{World, levels};
-use crate::world::tile_map::kind::TileShape;
 
 levels! {
     [S: Set, T: Store] TileMap<'_, S, T> {
@@ -60,7 +59,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if lo.x == hi.x || lo.y == hi.y {
                 return self.thin_overlaps(lo, hi);
             }
-            return self.any_solid(self.solid_range_of(lo, hi).0, |solid| solid.meets_box::<S, false>(lo, hi));
+            return self.any_solid(self.solid_range_of(lo, hi), |solid| solid.meets_box::<S, false>(lo, hi));
         }
         self.box_overlaps_blocks(lo, hi)
     }
@@ -109,8 +108,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// Whether a full cell of a range passes a test of its corners.
     #[inline]
-    pub(super) fn any_full(&self, (range, in_map): (Range, bool), test: impl Fn((Raw, Raw)) -> bool) -> bool {
-        if !in_map {
+    pub(super) fn any_full(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
+        if !(self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1)) {
             let mut walk = self.walk_of(range, Range::NONE);
             while self.walk(&mut walk) {
                 if walk.kind.is_full() && test(self.extent(walk.x, walk.y)) {
@@ -119,6 +118,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             }
             return false;
         }
+        self.any_full_in_map(range, test)
+    }
+
+    /// The same of a range in the map.
+    #[inline(always)]
+    fn any_full_in_map(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
         let is_square = !matches!(self.outside, Outside::Edge);
         let (mut y, mut rows) = (range.y0, self.occupied_rows(range.x0, range.x1, range.y0));
         while y <= range.y1 {
@@ -143,9 +148,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         false
     }
 
-    fn circle_meets<const CLOSED: bool>(&self, c: Raw, r: i32, range: (Range, bool)) -> bool {
+    fn circle_meets<const CLOSED: bool>(&self, c: Raw, r: i32, range: Range) -> bool {
         if S::SHAPED {
-            return self.any_solid(range.0, |solid| solid.meets_circle::<S, CLOSED>(c, r));
+            return self.any_solid(range, |solid| solid.meets_circle::<S, CLOSED>(c, r));
         }
         self.any_full(range, |(lo, hi)| meet::circle_aabb::<CLOSED>(c, r, lo, hi))
     }
@@ -160,10 +165,6 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             }
         }
         false
-    }
-
-    const fn solid(&self, shape: TileShape, x: i32, y: i32) -> TileSolid {
-        TileSolid::new(shape.form(), self.extent(x, y), self.grid.cell >> 1)
     }
 
     /// Whether a box without area meets the inside of the union, among all shapes.
@@ -210,7 +211,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         while y <= range.y1 {
             let mut x = range.x0;
             while x <= range.x1 {
-                if !self.solid(self.kind_at(x, y).shape, x, y).meets_box::<S, false>(lo, hi) {
+                let form = self.kind_at(x, y).shape.form();
+                if !TileSolid::new(form, self.extent(x, y), self.grid.cell >> 1).meets_box::<S, false>(lo, hi) {
                     return false;
                 }
                 x = x.wrapping_add(1);
@@ -237,8 +239,13 @@ impl<S: Set, T: Store> Overlaps<Circle> for TileMap<'_, S, T> {
                 self.box_overlaps_blocks(c, c)
             };
         }
-        let bounds = b.aabb();
-        self.circle_meets::<false>(c, r, self.solid_range_of(bounds.lo(), bounds.hi()))
+        let (lo, hi) = (c.sub(Raw { x: r, y: r }), c.add(Raw { x: r, y: r }));
+        if LONG && !S::SHAPED {
+            if let Some(range) = self.range_inside(lo, hi) {
+                return self.any_full_in_map(range, |(lo, hi)| meet::circle_aabb::<false>(c, r, lo, hi));
+            }
+        }
+        self.circle_meets::<false>(c, r, self.solid_range_of(lo, hi))
     }
 }
 
@@ -249,15 +256,14 @@ impl<S: Set, T: Store> Touches<Aabb> for TileMap<'_, S, T> {
         if S::SHAPED {
             return self.any_solid(range, |solid| solid.meets_box::<S, true>(lo, hi));
         }
-        self.any_full(self.placed(range), |_| true)
+        self.any_full(range, |_| true)
     }
 }
 
 impl<S: Set, T: Store> Touches<Circle> for TileMap<'_, S, T> {
     fn touches(&self, b: &Circle) -> bool {
         let bounds = b.aabb();
-        let range = self.solid_range(self.closed_range(bounds.lo(), bounds.hi()));
-        self.circle_meets::<true>(b.c(), b.r(), self.placed(range))
+        self.circle_meets::<true>(b.c(), b.r(), self.solid_range(self.closed_range(bounds.lo(), bounds.hi())))
     }
 }
 

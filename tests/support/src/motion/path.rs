@@ -229,6 +229,10 @@ pub fn follows(level: &Level, start: &Body, v: P, response: Response, out: &Outc
         ways::stops_rightly(level, start, v, response, out)?;
         ways::keeps_the_longest(level, start, v, response, out)?;
     }
+    // What else it touches at its first hit may have turned its way.
+    if out.hits.len() > 1 && ways::touches_another_at_first(level, start, v, out) {
+        return Ok(());
+    }
     replays(level, start, v, response, out)
 }
 
@@ -249,10 +253,6 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
     let mut at_last = *start;
     for (i, hit) in hits.iter().enumerate() {
         let toi = f64::from(hit.toi.raw()) / f64::from(1u32 << 30);
-        // What else it touches may have turned its way.
-        if i == 1 && ways::touches_another_at_first(level, start, v, out) {
-            return Ok(());
-        }
         if corners && first_leg.is_some() && vel.0.hypot(vel.1) * (toi - now) < wedge.max(16.0) {
             return Ok(());
         }
