@@ -23,7 +23,7 @@ pub struct Axes<'a> {
 }
 
 /// A colour per backend, and a marker.
-const STYLES: [(&str, &str, char); 20] = [
+const STYLES: [(&str, &str, char); 22] = [
     ("tilesat", "#0a7a2f", 'o'),
     ("exact (no filters)", "#74b816", 'o'),
     ("plain integer DDA", "#74b816", 'o'),
@@ -44,6 +44,8 @@ const STYLES: [(&str, &str, char); 20] = [
     ("parry2d-f64 Compound", "#da77f2", 'd'),
     ("rapier2d", "#862e9c", 's'),
     ("broccoli", "#2f9e44", 't'),
+    ("rstar", "#495057", 'd'),
+    ("quadtree_rs", "#868e96", 'o'),
 ];
 
 fn style(backend: &str) -> (&'static str, char) {
