@@ -100,13 +100,12 @@ pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw,
     let (round, both) = (r != 0, Part::Corner(x.side, y.side));
     let beyond_y = Part::Corner(x.side, y.side.wrapping_neg());
     let beyond_x = Part::Corner(x.side.wrapping_neg(), y.side);
-    let mut comes_before = false;
     if x.gap >= 0 {
         match y.place(&x, round) {
             Place::Between => return Some(Part::X),
             Place::AtNear => return Some(Part::Both),
             Place::Beyond => return round.then_some(beyond_y),
-            Place::Before => comes_before = true,
+            Place::Before => {}
         }
     }
     if y.gap >= 0 {
@@ -117,11 +116,9 @@ pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw,
             Place::Before => round.then_some(both),
         };
     }
-    if comes_before {
-        return round.then_some(both);
-    }
-    // It starts between the lines of all sides, grown by the radius: only beside a corner is it
-    // outside. Into one that is not ahead along both axes it has to move along the other.
+    // It is past the lines of both near sides, grown by the radius, or comes before y to that of x:
+    // only beside a corner is it outside. Into one that is not ahead along both axes it has to move
+    // along the other.
     let (before_x, before_y) = (x.near > 0, y.near > 0);
     let (after_x, after_y) = (x.far < 0, y.far < 0);
     if before_x && before_y {
@@ -138,6 +135,7 @@ pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw,
 #[cfg(test)]
 #[allow(clippy::indexing_slicing, reason = "a test")]
 mod tests {
+    use super::super::sweep_body::corner;
     use super::super::sweep_face::{Face, sweep_face};
     use super::super::sweep_round::{self, enter_quarter};
     use super::{Part, entered};
@@ -176,11 +174,9 @@ mod tests {
                         assert!(entry.is_none_or(|entry| entry.at_end == (part == Some(Part::Both))), "{case:?}");
                     }
                     for (x, y) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
-                        let p = Raw { x: if x > 0 { HI.x } else { LO.x }, y: if y > 0 { HI.y } else { LO.y } };
-                        let end =
-                            Raw { x: if x > 0 { first.x } else { last.x }, y: if y > 0 { first.y } else { last.y } };
-                        let m = end.sub(p);
-                        let entry = enter_quarter(m, r, d, Axis::new(x, y), false);
+                        let side = Axis::new(x, y);
+                        let m = corner(last, first, side).sub(corner(LO, HI, side));
+                        let entry = enter_quarter(m, r, d, side, false);
                         if part == Some(Part::Corner(x, y)) {
                             let disc = Crossing::of(m, r, d).and_then(|hit| sweep_round::entry(&hit, m, d));
                             assert_eq!(disc.is_some(), entry.is_some(), "{case:?} {x} {y}");

@@ -206,6 +206,7 @@ impl Grid {
         if end >= distance {
             return index;
         }
+        // A quotient costs as much as two more steps, where a long product is one instruction.
         if !SPLIT {
             return self.quotient(distance.wrapping_sub(1) as u32) as i32;
         }
