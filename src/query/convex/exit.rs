@@ -1,12 +1,11 @@
 //! The contact of two shapes: their least exit.
 
 use super::face::Facing;
+use super::nearness::{Nearness, order};
 use super::place::Place;
 use super::walk::{Core, Corner, PolygonSide, SideWalk};
-use crate::num::{Axis, Raw, div_sqrt, sqr64};
-use crate::query::closest::Square;
+use crate::num::{Axis, Raw};
 use crate::query::contact::Contact;
-use core::cmp::Ordering;
 
 /// The least exit, and the side of the sum that it is across; none where it is from corner to
 /// corner.
@@ -20,8 +19,9 @@ pub(super) struct Exit {
 impl Exit {
     #[inline]
     pub(super) fn of(a: Core<'_>, b: Core<'_>) -> Option<Self> {
-        let place = Place::of(a, b);
-        if !place.within::<false>(a.radius.wrapping_add(b.radius)) {
+        let radius = a.radius.wrapping_add(b.radius);
+        let place = if radius == 0 { Place::Inside } else { Place::of(a, b) };
+        if !place.within::<false>(radius) {
             return None;
         }
         let side = match place {
@@ -32,7 +32,7 @@ impl Exit {
             }
             // Only the radii overlap.
             Place::Side(side, height) if height > 0 => (side, false),
-            _ => least(a, b)?,
+            _ => least(a, b, radius == 0)?,
         };
         let (side, tie) = side;
         let contact = across(&side, a, b).with_degenerate(tie).with_radii(a.radius, b.radius);
@@ -42,33 +42,25 @@ impl Exit {
 
 /// The side of the sum that is nearest to an origin inside or on the border, and whether another
 /// one is as near. Of several the one whose normal is first in the documented order, whatever
-/// corner the walk began at.
-fn least(a: Core<'_>, b: Core<'_>) -> Option<(PolygonSide, bool)> {
-    let mut best: Option<(u32, PolygonSide)> = None;
+/// corner the walk began at. None for an origin outside, and on the border where that is `open`.
+fn least(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
+    let mut best: Option<(Nearness, PolygonSide)> = None;
     let mut tie = false;
-    // A height's square is below 2^124: fractions are compared in 187 bits, where their roots,
-    // rounded down, are the same.
-    let square = |side: &PolygonSide| Square { num: sqr64(side.height().unsigned_abs()), den: side.len2() };
     for side in SideWalk::new(a, b) {
-        let depth = div_sqrt(side.height().unsigned_abs(), side.len2());
-        let Some((least, kept)) = &best else {
-            best = Some((depth, side));
+        let height = side.height();
+        if height < 0 || (open && height == 0) {
+            return None;
+        }
+        let next = (Nearness::of(&side), side);
+        let Some(kept) = &best else {
+            best = Some(next);
             continue;
         };
-        let order = depth.cmp(least).then_with(|| {
-            let (s, t) = (square(&side), square(kept));
-            if s.less(t) {
-                Ordering::Less
-            } else if t.less(s) {
-                Ordering::Greater
-            } else {
-                Ordering::Equal
-            }
-        });
+        let order = order(&next, kept);
         let (nearer, as_near) = (order.is_lt(), order.is_eq());
         tie = as_near || (tie && !nearer);
-        if nearer || (as_near && before(normal(side.edge), normal(kept.edge))) {
-            best = Some((depth, side));
+        if nearer || (as_near && before(normal(next.1.edge), normal(kept.1.edge))) {
+            best = Some(next);
         }
     }
     best.map(|(_, side)| (side, tie))

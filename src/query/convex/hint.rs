@@ -1,10 +1,11 @@
-//! The side that separated two shapes last: asked first, it mostly still does.
+//! What separated two shapes last: asked first, it mostly still does.
 
-use super::place::{Place, sharp};
-use super::walk::{Core, PolygonSide, turn};
+use super::place::{Place, sharp, surely_meet};
+use super::walk::{Core, Corner, PolygonSide, turn};
 use crate::num::{Raw, less128, mul64, sqr64, usqr};
+use crate::shape::Aabb;
 
-/// The side of one of two shapes that last separated them: the other one was behind it.
+/// What last separated two shapes: a side of one, or the way between two corners.
 ///
 /// Shapes that are near but apart mostly stay so from frame to frame, by the same side. Keep one of
 /// these for each pair of bodies, and pass it to
@@ -13,62 +14,99 @@ use crate::num::{Raw, less128, mul64, sqr64, usqr};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Separation {
-    /// Corners of A and of B: one is where the side begins, the other is the nearest to its line.
+    /// Corners of A and of B: a side begins at one, and the other is the nearest to its line. Or
+    /// they are the nearest to each other.
     a: u16,
     b: u16,
-    of_b: bool,
+    by: By,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum By {
+    #[default]
+    SideOfA,
+    SideOfB,
+    Corners,
 }
 
 impl Separation {
-    const fn of(side: &PolygonSide) -> Self {
-        Self { a: side.a as u16, b: side.b as u16, of_b: !side.of_a }
+    const fn side(side: &PolygonSide) -> Self {
+        Self { a: side.a as u16, b: side.b as u16, by: if side.of_a { By::SideOfA } else { By::SideOfB } }
     }
 
-    /// Whether the side still separates the shapes: three signs of products, and two squares where
-    /// there are radii.
+    const fn corners(corner: &Corner) -> Self {
+        Self { a: corner.a as u16, b: corner.b as u16, by: By::Corners }
+    }
+
+    /// Whether it still separates the shapes: by three or four signs of products, and by squares
+    /// where there are radii.
     fn separates(self, a: Core<'_>, b: Core<'_>) -> bool {
-        let (a, i, b, j) = if self.of_b { (b, self.b, a, self.a) } else { (a, self.a, b, self.b) };
-        let (i, j) = (usize::from(i), usize::from(j));
-        if a.corners.len() < 2 || i >= a.corners.len() || j >= b.corners.len() {
+        let (i, j) = (usize::from(self.a), usize::from(self.b));
+        if i >= a.corners.len() || j >= b.corners.len() {
             return false;
         }
-        let (from, near) = (a.corner(i), b.corner(j));
-        let edge = a.corner(a.after(i)).sub(from);
-        // A corner whose neighbours are not nearer is the nearest one: the shape is convex.
-        let is_behind = |v: Raw| turn(edge, v) <= 0;
-        let offset = near.sub(from);
-        if !is_behind(offset)
-            || !is_behind(b.corner(b.after(j)).sub(near))
-            || !is_behind(b.corner(b.before(j)).sub(near))
-        {
-            return false;
+        match self.by {
+            By::SideOfA => is_behind_side(a, i, b, j),
+            By::SideOfB => is_behind_side(b, j, a, i),
+            By::Corners => are_nearest_corners(a, i, b, j),
         }
-        let radius = a.radius.wrapping_add(b.radius);
-        // Below 2^122 and 2^121.
-        radius == 0 || !less128(sqr64(edge.cross(offset).unsigned_abs()), mul64(usqr(radius as u32), edge.len2()))
     }
 }
 
-/// Whether two shapes overlap, the last side first.
-pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, last: &mut Separation) -> bool {
+/// A corner whose neighbours are not nearer is the nearest one: the shape is convex.
+fn is_nearest(core: Core<'_>, i: usize, is_behind: impl Fn(Raw) -> bool) -> bool {
+    let at = core.corner(i);
+    is_behind(core.corner(core.after(i)).sub(at)) && is_behind(core.corner(core.before(i)).sub(at))
+}
+
+/// Whether all of B is behind a side of A, by its corner `j`.
+fn is_behind_side(a: Core<'_>, i: usize, b: Core<'_>, j: usize) -> bool {
+    let from = a.corner(i);
+    let edge = a.corner(a.after(i)).sub(from);
+    let offset = b.corner(j).sub(from);
+    let is_behind = |v: Raw| turn(edge, v) <= 0;
+    if a.corners.len() < 2 || !is_behind(offset) || !is_nearest(b, j, is_behind) {
+        return false;
+    }
+    let radius = a.radius.wrapping_add(b.radius);
+    // Below 2^122 and 2^121.
+    radius == 0 || !less128(sqr64(edge.cross(offset).unsigned_abs()), mul64(usqr(radius as u32), edge.len2()))
+}
+
+/// Whether each shape is behind its corner, seen from the other's, and they are far enough apart.
+fn are_nearest_corners(a: Core<'_>, i: usize, b: Core<'_>, j: usize) -> bool {
+    let way = b.corner(j).sub(a.corner(i));
+    way.len2() >= usqr(a.radius.wrapping_add(b.radius) as u32)
+        && !way.is_zero()
+        && is_nearest(a, i, |v| way.dot(v) <= 0)
+        && is_nearest(b, j, |v| way.dot(v) >= 0)
+}
+
+/// Whether two shapes overlap, the last side first. Their bounding boxes do.
+pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: (&Aabb, &Aabb), last: &mut Separation) -> bool {
     if last.separates(a, b) {
         return false;
+    }
+    if surely_meet::<false>(a, b, Some(boxes)) {
+        return true;
     }
     let radius = a.radius.wrapping_add(b.radius);
     let apart_by = if radius == 0 {
         match sharp::<false>(a, b) {
             Ok(()) => return true,
-            Err(side) => side,
+            Err(side) => side.as_ref().map(Separation::side),
         }
     } else {
         match Place::of(a, b) {
             place if place.within::<false>(radius) => return true,
-            Place::Side(side, _) => Some(side),
-            _ => None,
+            Place::Side(side, _) => Some(Separation::side(&side)),
+            Place::Corner(corner) => Some(Separation::corners(&corner)),
+            Place::Inside => None,
         }
     };
-    if let Some(side) = apart_by {
-        *last = Separation::of(&side);
+    if let Some(apart_by) = apart_by {
+        *last = apart_by;
     }
     false
 }

@@ -12,6 +12,7 @@ mod face;
 mod hint;
 mod manifold;
 mod near;
+mod nearness;
 mod place;
 mod point;
 mod ray;
@@ -131,7 +132,8 @@ macro_rules! pair {
         impl<$($n)*> OverlapsFrom<$b> for $a {
             #[inline]
             fn overlaps_from(&self, b: &$b, last: &mut Separation) -> bool {
-                with_cores!(self, b, |a, b| hint::overlaps(a, b, last))
+                let boxes = (&self.aabb(), &b.aabb());
+                boxes_meet::<false>(boxes) && with_cores!(self, b, |a, b| hint::overlaps(a, b, boxes, last))
             }
         }
 

@@ -84,13 +84,22 @@ pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
 /// The same. A caller that knows the bounding boxes, and that they meet, passes them.
 pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<(&Aabb, &Aabb)>) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
-    if radius != 0 {
-        return corners_meet::<CLOSED>(a, b, radius) || Place::of(a, b).within::<CLOSED>(radius);
+    if radius == 0 {
+        if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
+            return p.meets::<CLOSED>(&q);
+        }
     }
-    if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
-        return p.meets::<CLOSED>(&q);
+    surely_meet::<CLOSED>(a, b, boxes)
+        || if radius == 0 { sharp::<CLOSED>(a, b).is_ok() } else { Place::of(a, b).within::<CLOSED>(radius) }
+}
+
+/// Whether a short test finds that two shapes meet.
+#[inline(always)]
+pub(super) fn surely_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<(&Aabb, &Aabb)>) -> bool {
+    match a.radius.wrapping_add(b.radius) {
+        0 => boxes.is_some_and(|(p, q)| share_middle(a, b, p, q)),
+        radius => corners_meet::<CLOSED>(a, b, radius),
     }
-    boxes.is_some_and(|(p, q)| share_middle(a, b, p, q)) || sharp::<CLOSED>(a, b).is_ok()
 }
 
 /// Whether the middle of the common part of the bounding boxes is inside both shapes: so it is for
