@@ -239,8 +239,8 @@ pub(crate) struct Crossing {
 impl Crossing {
     /// For the point `m` that moves by `d` into the disc of radius `r`.
     ///
-    /// Decided without root or division: |m + d| < r, or a closest approach inside the motion that
-    /// is nearer than r (numerics: cross^2 < r^2 |d|^2, 124 bits).
+    /// Decided without root or division: its line comes nearer than r (cross^2 < r^2 |d|^2, 124
+    /// bits), and that is where it ends, |m + d| < r, or before.
     #[inline]
     pub(crate) fn of(m: Raw, r: i32, d: Raw) -> Option<Self> {
         let (dot, cross) = m.dot_cross(d);
@@ -248,10 +248,11 @@ impl Crossing {
         if b <= 0 {
             return None;
         }
+        if !passes(cross, r as u32, d) {
+            return None;
+        }
         let (rr, a) = (usqr(r as u32), d.len2());
-        let passes_inside = (b as u64) < a
-            && if LONG { less128(sqr_signed(cross), mul64(rr, a)) } else { passes(cross.unsigned_abs(), r as u32, d) };
-        if !passes_inside && m.add(d).len2() >= rr {
+        if b as u64 >= a && m.add(d).len2() >= rr {
             return None;
         }
         Some(Self { rr, a, b: b as u64, cross })
@@ -316,23 +317,17 @@ pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
     }
     // Of signed words, where a product is as cheap as their magnitudes.
     let square = |v: Raw| if SPLIT { v.len2() } else { v.dot(v) as u64 };
-    let ends_inside = || square(m.add(d)) < usqr(r as u32);
-    let passes_inside = || {
-        let a = square(d);
-        let rr = || usqr(r as u32);
-        (b as u64) < a
-            && if LONG { less128(sqr_signed(cross), mul64(rr(), a)) } else { passes(cross.unsigned_abs(), r as u32, d) }
-    };
-    // The cheaper one first, given the cost of a square on this core.
-    let first = if SPLIT { passes_inside() } else { ends_inside() };
-    first || if SPLIT { ends_inside() } else { passes_inside() }
+    passes(cross, r as u32, d) && ((b as u64) < square(d) || square(m.add(d)) < usqr(r as u32))
 }
 
-/// Whether `cross < r |d|`, exactly: as squares of 124 bits, where bounds of the length do not
-/// settle it by one product of words each.
+/// Whether `|cross| < r |d|`, exactly: as squares of 124 bits. Where these are dear, bounds of the
+/// length mostly settle it by one product of words each.
 #[inline]
-fn passes(cross: u64, r: u32, d: Raw) -> bool {
-    let (below, above) = octagons(d);
+fn passes(cross: i64, r: u32, d: Raw) -> bool {
+    if LONG {
+        return less128(sqr_signed(cross), mul64(usqr(r), d.len2()));
+    }
+    let (cross, (below, above)) = (cross.unsigned_abs(), octagons(d));
     cross < umul(r, below) || (cross < umul(r, above) && passes_closely(cross, r, d))
 }
 
