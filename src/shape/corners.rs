@@ -25,6 +25,18 @@ pub trait Convex: Sized {
         0
     }
 
+    /// Two sides and twice the middle of a sharp box with area; none of other shapes.
+    #[inline]
+    fn box_sides(&self) -> Option<[Raw; 3]> {
+        None
+    }
+
+    /// The ends of what a segment is the core of; none of other shapes.
+    #[inline]
+    fn ends(&self) -> Option<[Raw; 2]> {
+        None
+    }
+
     /// The shape somewhere else, even outside of the domain.
     fn shifted(&self, by: Raw) -> Self;
 }
@@ -77,6 +89,13 @@ impl Convex for Aabb {
         Few::parallelogram(self.lo(), Raw { x: size.x, y: 0 }, Raw { x: 0, y: size.y })
     }
 
+    #[inline]
+    fn box_sides(&self) -> Option<[Raw; 3]> {
+        let size = self.hi().sub(self.lo());
+        let has_area = size.x != 0 && size.y != 0;
+        has_area.then(|| [Raw { x: size.x, y: 0 }, Raw { x: 0, y: size.y }, self.lo().add(self.hi())])
+    }
+
     fn shifted(&self, by: Raw) -> Self {
         Self::from_raw_unchecked(self.lo().add(by), self.hi().add(by))
     }
@@ -95,6 +114,11 @@ impl Convex for Circle {
         self.r()
     }
 
+    #[inline]
+    fn ends(&self) -> Option<[Raw; 2]> {
+        Some([self.c(), self.c()])
+    }
+
     fn shifted(&self, by: Raw) -> Self {
         Self::from_raw_unchecked(self.c().add(by), self.r())
     }
@@ -106,6 +130,11 @@ impl Convex for Segment {
     #[inline]
     fn outline(&self) -> Few {
         Few::line(self.a(), self.b())
+    }
+
+    #[inline]
+    fn ends(&self) -> Option<[Raw; 2]> {
+        Some([self.ra(), self.rb()])
     }
 
     fn shifted(&self, by: Raw) -> Self {
@@ -126,6 +155,11 @@ impl Convex for Capsule {
         self.radius().to_bits()
     }
 
+    #[inline]
+    fn ends(&self) -> Option<[Raw; 2]> {
+        Some([Raw::of(self.a()), Raw::of(self.b())])
+    }
+
     fn shifted(&self, by: Raw) -> Self {
         Self::from_raw_unchecked(Raw::of(self.a()).add(by), Raw::of(self.b()).add(by), self.radius())
     }
@@ -140,6 +174,13 @@ impl Convex for OrientedBox {
         // below 2^30.
         let (u, v) = (Raw::of(self.along()), Raw::of(self.across()));
         Few::parallelogram(Raw::of(self.centre()).sub(u).sub(v), u.add(u), v.add(v))
+    }
+
+    #[inline]
+    fn box_sides(&self) -> Option<[Raw; 3]> {
+        let (u, v, c) = (Raw::of(self.along()), Raw::of(self.across()), Raw::of(self.centre()));
+        let is_plain = self.rounding() == 0 && !u.is_zero() && !v.is_zero();
+        is_plain.then(|| [u, v, c].map(|p| p.add(p)))
     }
 
     #[inline]

@@ -84,7 +84,7 @@ fn are_nearest_corners(a: Core<'_>, i: usize, b: Core<'_>, j: usize) -> bool {
 }
 
 /// Whether two shapes overlap, the last side first. Their bounding boxes do.
-pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: (&Aabb, &Aabb), last: &mut Separation) -> bool {
+pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: &(Aabb, Aabb), last: &mut Separation) -> bool {
     if last.separates(a, b) {
         return false;
     }

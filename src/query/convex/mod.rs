@@ -6,6 +6,7 @@
 //! and that polygon. Only pairs with one of these shapes come here: a game of boxes and circles
 //! links none of it.
 
+mod boxes;
 mod cast;
 mod exit;
 mod face;
@@ -26,10 +27,11 @@ use super::contact::{Contact, Contacts};
 use super::meet::aabb_aabb;
 use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
-use crate::num::{Fx, Raw, Vec2};
+use crate::num::{Fx, LONG, Raw, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
+use boxes::Parallelogram;
 use exit::Exit;
-use place::{Place, meets_in};
+use place::{Place, capsules_meet, meets_in};
 
 pub(crate) use near::between;
 pub(crate) use place::meets;
@@ -112,8 +114,24 @@ macro_rules! manifolds {
 /// Whether the bounding boxes of two shapes overlap or touch: that settles most pairs that are
 /// apart.
 #[inline]
-fn boxes_meet<const CLOSED: bool>((a, b): (&Aabb, &Aabb)) -> bool {
+fn boxes_meet<const CLOSED: bool>((a, b): &(Aabb, Aabb)) -> bool {
     aabb_aabb::<CLOSED>(a.lo(), a.hi(), b.lo(), b.hi())
+}
+
+/// Whether two shapes with these bounds overlap, or touch.
+#[inline]
+fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
+    if let (Some(p), Some(q)) = (a.box_sides(), b.box_sides()) {
+        // As many products as a processor of 64 bits would save take no longer than the bounds.
+        return (LONG || boxes_meet::<CLOSED>(&bounds()))
+            && Parallelogram::new(p).meets::<CLOSED>(&Parallelogram::new(q));
+    }
+    let bounds = bounds();
+    let radius = a.rounding().wrapping_add(b.rounding());
+    if let (true, Some(p), Some(q)) = (radius != 0, a.ends(), b.ends()) {
+        return boxes_meet::<CLOSED>(&bounds) && capsules_meet::<CLOSED>(p, q, radius);
+    }
+    boxes_meet::<CLOSED>(&bounds) && with_cores!(a, b, |a, b| meets_in::<CLOSED>(a, b, Some(&bounds)))
 }
 
 /// All verbs of one ordered pair.
@@ -124,24 +142,22 @@ macro_rules! pair {
         impl<$($n)*> Overlaps<$b> for $a {
             #[inline]
             fn overlaps(&self, b: &$b) -> bool {
-                let boxes = (&self.aabb(), &b.aabb());
-                boxes_meet::<false>(boxes) && with_cores!(self, b, |a, b| meets_in::<false>(a, b, Some(boxes)))
+                meet::<false>((self, b), || (self.aabb(), b.aabb()))
             }
         }
 
         impl<$($n)*> OverlapsFrom<$b> for $a {
             #[inline]
             fn overlaps_from(&self, b: &$b, last: &mut Separation) -> bool {
-                let boxes = (&self.aabb(), &b.aabb());
-                boxes_meet::<false>(boxes) && with_cores!(self, b, |a, b| hint::overlaps(a, b, boxes, last))
+                let bounds = (self.aabb(), b.aabb());
+                boxes_meet::<false>(&bounds) && with_cores!(self, b, |a, b| hint::overlaps(a, b, &bounds, last))
             }
         }
 
         impl<$($n)*> Touches<$b> for $a {
             #[inline]
             fn touches(&self, b: &$b) -> bool {
-                let boxes = (&self.aabb(), &b.aabb());
-                boxes_meet::<true>(boxes) && with_cores!(self, b, |a, b| meets_in::<true>(a, b, Some(boxes)))
+                meet::<true>((self, b), || (self.aabb(), b.aabb()))
             }
         }
 

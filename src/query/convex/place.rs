@@ -1,12 +1,12 @@
 //! The position of the origin relative to the sum of two shapes: inside, before a side or before a
 //! corner.
 
+use super::boxes::{Parallelogram, shift_to_14, short, short_cross, spread};
 use super::walk::{Core, Corner, PolygonSide, SideWalk, turn};
-use crate::num::{Raw, Vec2, div_sqrt, isqrt64, leading_zeros32, less128, mul64, sqr64, usqr};
-use crate::query::meet::circle_circle;
+use crate::num::{Raw, Vec2, div_sqrt, isqrt64, less128, mul64, sqr64, usqr};
+use crate::query::meet::{circle_circle, circle_segment, segment_segment};
 use crate::shape::Aabb;
 use core::mem::replace;
-use core::ops::{Add, Sub};
 
 /// The part of the sum's border that is nearest to the origin, the radii left aside.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +82,7 @@ pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
 }
 
 /// The same. A caller that knows the bounding boxes, and that they meet, passes them.
-pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<(&Aabb, &Aabb)>) -> bool {
+pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
     if radius == 0 {
         if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
@@ -95,7 +95,7 @@ pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Opti
 
 /// Whether a short test finds that two shapes meet.
 #[inline(always)]
-pub(super) fn surely_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<(&Aabb, &Aabb)>) -> bool {
+pub(super) fn surely_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>) -> bool {
     match a.radius.wrapping_add(b.radius) {
         0 => boxes.is_some_and(|(p, q)| share_middle(a, b, p, q)),
         radius => corners_meet::<CLOSED>(a, b, radius),
@@ -136,79 +136,20 @@ fn corners_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, radius: i32) -> bo
     a.corners.len().wrapping_add(b.corners.len()) <= 4 && a.corners.iter().any(|p| b.corners.iter().any(|q| near(p, q)))
 }
 
-/// A shape with four corners and two directions: boxes, turned or not.
-struct Parallelogram {
-    u: Raw,
-    v: Raw,
-    /// Twice the middle.
-    middle: Raw,
-}
-
-impl Parallelogram {
-    fn of(core: Core<'_>) -> Option<Self> {
-        let &[p, q, r, s] = core.corners else { return None };
-        let [p, q, r, s] = [p, q, r, s].map(Raw::of);
-        let middle = p.add(r);
-        (middle == q.add(s)).then(|| Self { u: q.sub(p), v: s.sub(p), middle })
-    }
-
-    /// Their sum is its own mirror image, so each two of its sides are one question: whether the
-    /// other middle is nearer than half of the widths of both.
-    ///
-    /// The leading 14 bits mostly settle it.
-    fn meets<const CLOSED: bool>(&self, other: &Self) -> bool {
-        // Below 2^31: twice the distance of two points of the domain, or near it.
-        let d = other.middle.sub(self.middle);
-        let sides = [self.u, self.v, other.u, other.v].iter().fold(0, |bits, e| bits | spread(*e));
-        let shift = shift_to_14(sides | spread(d) >> 1);
-        let shorter = [self.u, self.v, other.u, other.v, d].map(|e| short(e, shift));
-        let leading = margin(shorter, |e, f| short_cross(e, f).wrapping_abs());
-        // A component loses less than one. So a product of two sides is off by less than the sum of
-        // their components and one, 2^16 + 1, one with `d` by 2^16 + 2^15 + 1, and the sum of four
-        // by less than this.
-        if leading.wrapping_abs() > 5 << 16 {
-            return leading > 0;
-        }
-        let margin = margin([self.u, self.v, other.u, other.v, d], |e, f| e.cross(f).wrapping_abs());
-        if CLOSED { margin >= 0 } else { margin > 0 }
-    }
-}
-
-/// The bits of the sizes of both components, or of one less.
-const fn spread(v: Raw) -> u32 {
-    ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
-}
-
-/// How far to shift so that what these bits bound has 14 at most, and a sign.
-const fn shift_to_14(bits: u32) -> u32 {
-    18_u32.saturating_sub(leading_zeros32(bits)) & 31
-}
-
-const fn short(v: Raw, shift: u32) -> Raw {
-    Raw { x: v.x >> shift, y: v.y >> shift }
-}
-
-/// A cross product of components whose product is below 2^30.
-const fn short_cross(e: Raw, f: Raw) -> i32 {
-    e.x.wrapping_mul(f.y).wrapping_sub(e.y.wrapping_mul(f.x))
-}
-
-/// The least, over the four directions of sides, of the widths of two parallelograms across it
-/// together, less twice the distance of their middles. `size` is that of a cross product; `d` is
-/// twice the way between the middles.
-///
-/// Exact ones are below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
-fn margin<T: Copy + Ord + Add<Output = T> + Sub<Output = T>>(
-    [u, v, s, t, d]: [Raw; 5],
-    size: impl Fn(Raw, Raw) -> T,
-) -> T {
-    let (own, others) = (size(u, v), size(s, t));
-    let (us, ut, vs, vt) = (size(u, s), size(u, t), size(v, s), size(v, t));
-    let across_u = own + us + ut - size(u, d);
-    let across_v = own + vs + vt - size(v, d);
-    let across_s = others + us + vs - size(s, d);
-    let across_t = others + ut + vt - size(t, d);
-    across_u.min(across_v).min(across_s.min(across_t))
+/// Whether two segments are nearer than the radius, or as near. Where they do not cross, an end of
+/// one is the nearest point to the other: for most that overlap, to an end of it.
+pub(super) fn capsules_meet<const CLOSED: bool>([p, q]: [Raw; 2], [s, t]: [Raw; 2], radius: i32) -> bool {
+    let near_end = |p: Raw, q: Raw| circle_circle::<CLOSED>(p, q, radius);
+    let near = |end: Raw, a: Raw, b: Raw| circle_segment::<CLOSED>(end, radius, a, b);
+    near_end(p, s)
+        || near_end(p, t)
+        || near_end(q, s)
+        || near_end(q, t)
+        || near(p, s, t)
+        || near(q, s, t)
+        || near(s, p, q)
+        || near(t, p, q)
+        || segment_segment::<false>(p, q, s, t)
 }
 
 /// Whether two shapes without radii overlap, or touch: the first side that the origin is not inside

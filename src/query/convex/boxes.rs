@@ -1,0 +1,87 @@
+//! Whether two boxes in any direction overlap.
+
+use super::walk::Core;
+use crate::num::{LONG, Raw, leading_zeros32};
+use core::ops::{Add, Sub};
+
+/// A shape with four corners and two directions: boxes, turned or not.
+pub(super) struct Parallelogram {
+    u: Raw,
+    v: Raw,
+    /// Twice the middle.
+    middle: Raw,
+}
+
+impl Parallelogram {
+    /// From two sides of a box and twice its middle.
+    pub(super) const fn new([u, v, middle]: [Raw; 3]) -> Self {
+        Self { u, v, middle }
+    }
+
+    pub(super) fn of(core: Core<'_>) -> Option<Self> {
+        let &[p, q, r, s] = core.corners else { return None };
+        let [p, q, r, s] = [p, q, r, s].map(Raw::of);
+        let middle = p.add(r);
+        (middle == q.add(s)).then(|| Self { u: q.sub(p), v: s.sub(p), middle })
+    }
+
+    /// Their sum is its own mirror image, so each two of its sides are one question: whether the
+    /// other middle is nearer than half of the widths of both.
+    ///
+    /// On a chip the leading 14 bits mostly settle it.
+    pub(super) fn meets<const CLOSED: bool>(&self, other: &Self) -> bool {
+        // Below 2^31: twice the distance of two points of the domain, or near it.
+        let d = other.middle.sub(self.middle);
+        let sides = [self.u, self.v, other.u, other.v, d];
+        if !LONG {
+            let shift = shift_to_14(sides.iter().take(4).fold(spread(d) >> 1, |bits, e| bits | spread(*e)));
+            let leading = margins(sides.map(|e| short(e, shift)), |e, f| short_cross(e, f).wrapping_abs());
+            let least = leading.iter().fold(i32::MAX, |least, m| least.min(*m));
+            // A component loses less than one. So a product of two sides is off by less than the sum
+            // of their components and one, 2^16 + 1, one with `d` by 2^16 + 2^15 + 1, and the sum of
+            // four by less than this.
+            if least.wrapping_abs() > 5 << 16 {
+                return least > 0;
+            }
+        }
+        let margins = margins(sides, |e, f| e.cross(f).wrapping_abs());
+        margins.iter().all(|m| if CLOSED { *m >= 0 } else { *m > 0 })
+    }
+}
+
+/// The bits of the sizes of both components, or of one less.
+pub(super) const fn spread(v: Raw) -> u32 {
+    ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
+}
+
+/// How far to shift so that what these bits bound has 14 at most, and a sign.
+pub(super) const fn shift_to_14(bits: u32) -> u32 {
+    18_u32.saturating_sub(leading_zeros32(bits)) & 31
+}
+
+pub(super) const fn short(v: Raw, shift: u32) -> Raw {
+    Raw { x: v.x >> shift, y: v.y >> shift }
+}
+
+/// A cross product of components whose product is below 2^30.
+pub(super) const fn short_cross(e: Raw, f: Raw) -> i32 {
+    e.x.wrapping_mul(f.y).wrapping_sub(e.y.wrapping_mul(f.x))
+}
+
+/// For each of the four directions of sides, the widths of two parallelograms across it together,
+/// less twice the distance of their middles. `size` is that of a cross product; `d` is twice the way
+/// between the middles.
+///
+/// Exact ones are below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
+fn margins<T: Copy + Add<Output = T> + Sub<Output = T>>(
+    [u, v, s, t, d]: [Raw; 5],
+    size: impl Fn(Raw, Raw) -> T,
+) -> [T; 4] {
+    let (own, others) = (size(u, v), size(s, t));
+    let (us, ut, vs, vt) = (size(u, s), size(u, t), size(v, s), size(v, t));
+    let across_u = own + us + ut - size(u, d);
+    let across_v = own + vs + vt - size(v, d);
+    let across_s = others + us + vs - size(s, d);
+    let across_t = others + ut + vt - size(t, d);
+    [across_u, across_v, across_s, across_t]
+}
