@@ -7,7 +7,6 @@ use crate::micro;
 use crate::plot::{Axes, svg};
 use crate::readme;
 use crate::record::Row;
-use crate::stray;
 use crate::tables;
 use crate::{read_rows, write};
 use std::path::Path;
@@ -34,14 +33,15 @@ fn file_name(workload: &str) -> String {
 /// # Errors
 /// If it cannot read the rows or write a file.
 pub fn all(results: &Path) -> Result<(), String> {
-    let mut rows = read_rows(results)?;
-    stray::remove(&mut rows);
+    let rows = read_rows(results)?;
     if rows.is_empty() {
         return Err(format!("{}: no results", results.display()));
     }
     let folder = results.with_file_name("plots");
     std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let mut page = String::from(HEAD);
+    let counted: Vec<&Row> = rows.iter().filter(|r| r.get("host").is_some()).collect();
+    let timed = counted.iter().filter(|r| r.get("ns").is_some()).count();
+    let mut page = HEAD.replace("TIMED", &format!("{timed} of {}", counted.len()));
     let machine = results.with_file_name("machine.md");
     page.push_str(&std::fs::read_to_string(&machine).map_err(|e| format!("{}: {e}", machine.display()))?);
     page.push_str(&goals::page(&rows));
@@ -98,7 +98,7 @@ wrong answers against instructions, and the largest error in those that end in `
   half-open cells are neither `on lines`, those of exact integers included: that is no rounding.
 - **Instructions**: callgrind. One call in a loop (about 6), with operands in memory and the whole
   answer stored. Wrongly predicted branches do not count: ours for circle-AABB loses time by them.
-- **Times** are in `results.csv`, unless they strayed or the code has changed since.
+- **Times** are in `results.csv`, for TIMED rows: others strayed, or their code has changed.
 - **Error**: of depths, and of times of impact as pixels of way. `late`: the share of all hits whose
   time is beyond the true one.
 - **Moves**: a frame is wrong if it ends in the solid, even by a little, or tunnels. Also shown:
