@@ -2,11 +2,11 @@
 # Measures run time against error, beside textbook code and other libraries. Writes results.csv, and
 # from it plots/*.svg, results.md and readme-table.md.
 #
-#   run.sh                 all steps: judge, time, count on the host and on microcontrollers,
+#   run.sh                 all steps: count on the host, judge and time, count on microcontrollers,
 #                          weigh, show (half an hour)
-#   run.sh --quick         judge, count and show with few inputs, into target/precision; writes
+#   run.sh --quick         count, judge and show with few inputs, into target/precision; writes
 #                          nothing into the repository
-#   run.sh --only "STEP.." only these of: judge count micro flash show; keeps the other results
+#   run.sh --only "STEP.." only these of: count judge micro flash show; keeps the other results
 #   run.sh --untimed       judges without times: on a busy machine, or for rows with unchanged code
 #   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad
 #                          regions batch; with or without --only
@@ -31,17 +31,23 @@ work=$target/precision
 # optimisation level of the Rust code; Box2D's package would use -O2.
 export CFLAGS="-I$here/compat -DNDEBUG -O3 ${CFLAGS:-}"
 
-out=$here/results.csv quick='' untimed='' steps='judge count micro flash show' soak='' threads='' parts=()
+# Counts come before times: a later count that differs voids the time, as that of other code.
+all='count judge micro flash show'
+
+out=$here/results.csv quick='' untimed='' steps=$all soak='' threads='' parts=()
 while (($#)); do
     case $1 in
     --quick)
-        quick=--quick steps='judge count show'
+        quick=--quick steps='count judge show'
         out=$work/results.csv
         rm -f "$out"
         ;;
     --untimed) untimed=--untimed ;;
     --only)
         steps=${2:?--only needs names of steps}
+        for step in $steps; do
+            [[ " $all " == *" $step "* ]] || { echo "run.sh: $step: no such step" >&2; exit 2; }
+        done
         shift
         ;;
     --threads) threads=1 ;;
@@ -147,8 +153,8 @@ machine() {
     echo "| | |"
     echo "|---|---|"
     echo "| machine | $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores |"
-    echo "| Rust | $(rustc --version), opt-level 3, fat LTO, one codegen unit, no target-cpu |"
-    echo "| C | $(cc --version | head -n 1), -O3 -DNDEBUG without -march, as the Rust code: Box2D and Chipmunk2D |"
+    echo "| Rust | $(rustc --version), opt-level 3, fat LTO over the libraries too, one codegen unit, no target-cpu |"
+    echo "| C | $(cc --version | head -n 1), -O3 -DNDEBUG, no -march, no link-time optimisation: Box2D and Chipmunk2D |"
     echo "| floats on microcontrollers | textbook f32 and parry2d take roots from libm, even on the core with an FPU |"
     echo "| counts | $(valgrind --version 2>/dev/null || echo none); QEMU with one instruction per tick |"
     echo "| parry2d, parry2d-f64, rapier2d | $(version parry2d), $(version parry2d-f64), $(version rapier2d): its character controller slides with parry2d's casts; its pairs are parry2d's |"
@@ -166,6 +172,6 @@ show() {
     "$bench" show --out "$out"
 }
 
-for step in $steps; do
-    "$step"
+for step in $all; do
+    if [[ " $steps " == *" $step "* ]]; then "$step"; fi
 done

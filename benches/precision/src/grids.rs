@@ -55,12 +55,9 @@ the second, the boxes of the first frame stay, and those of each frame are regio
 `clumps`: 32 boxes in 128 x 128 px, and nothing between. `a huge one`: half as wide as the scene.
 `uneven`: sides from 4 to 512 px, half as many of twice the side, and one in sixteen moves. The
 textbook's code is a sort and sweep too. In f32 it misses pairs `in columns`, up to 995 502 in a
-million.
-
-Cells of the grid and the hash are 32 px, and 128 px in `uneven`. That is their best size there,
-except for regions among 256 boxes. Larger boxes go into a separate list.
-
-To pack rstar and to fill quadtree_rs in each frame is faster than to move each box. A smallest
-square of the quadtree is 32 px. With 64 px it takes 0.8 times as long for scattered pairs, 1.3
-times for clumps, and longer for all regions. With 16 px it takes longer for pairs.
+million. Cells of the grid and the hash are 32 px, and 128 px in `uneven`. That is their best size
+there, except for regions among 256 boxes. Larger boxes go into a separate list. To pack rstar and
+to fill quadtree_rs in each frame is faster than to move each box. A smallest square of the quadtree
+is 32 px. With 64 px it takes 0.8 times as long for scattered pairs, 1.3 times for clumps, and
+longer for all regions. With 16 px it takes longer for pairs.
 ";

@@ -17,8 +17,8 @@
 //!   loses digits far from the origin, as in a game.
 //! - Each moving body is judged at the exact position that its numbers mean. So each backend has
 //!   its own way through a level (`moves/truth.rs`).
-//! - A time is the thread's time. The program discards a time that strays (`run.rs`, `stray.rs`),
-//!   and a time whose code has another count since.
+//! - A time is the thread's time. The program repeats passes that stray, and at last gives up
+//!   (`run.rs`). It discards a time whose code has another count since.
 //! - A pair of boxes that overlaps and is not reported is wrong. A pair that only touches may be
 //!   reported or not (`broad/truth.rs`).
 //! - A query's cost is that of one call in a loop, with operands in memory and the whole answer
@@ -44,7 +44,6 @@ mod record;
 mod run;
 mod show;
 mod soak;
-mod stray;
 mod tables;
 mod threads;
 
@@ -145,8 +144,7 @@ pub fn write(file: &Path, text: &str) -> Result<(), String> {
 
 /// Rows join those of the file, and the file is written again.
 fn join(options: &Options, rows: impl IntoIterator<Item = Row>) -> Result<(), String> {
-    let mut all = record::join(read_rows(&options.out)?.into_iter().chain(rows));
-    stray::remove(&mut all);
+    let all = record::join(read_rows(&options.out)?.into_iter().chain(rows));
     write(&options.out, &record::to_csv(&all))
 }
 

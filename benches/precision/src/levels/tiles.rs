@@ -107,24 +107,23 @@ fn textbook<S: Named>(list: &mut List<Case, Answer>, grid: dda::Grid<'static>, m
 }
 
 macro_rules! parry {
-    ($module:ident, $parry:ident, $name:literal) => {
+    ($module:ident, $parry:ident, $compound:literal, $voxels:literal) => {
         mod $module {
             use super::*;
-            use crate::peers::parry::$module::{FORMAT, Placed, length, vector};
+            use crate::peers::parry::$module::{FORMAT, Placed, vector};
+            use crate::rays::trees::$module::{compound, voxels};
             use $parry::math::{Pose, Vector};
             use $parry::query::{ShapeCastHit, ShapeCastOptions, cast_shapes, intersection_test};
-            use $parry::shape::{Ball, Compound, SharedShape};
+            use $parry::shape::{Ball, Shape};
 
-            /// A tree with a box per solid cell.
             pub fn circles(list: &mut List<Case, Answer>, level: &Level, moving: bool) {
-                let side = SIDE as i64;
-                let solid = (0..side * side).map(|i| (i % side, i / side)).filter(|&(x, y)| level.solid(x, y));
-                let half = length(CELL as f64 / 2.0);
-                let boxes = solid.map(|(x, y)| {
-                    let middle = vector((x * CELL + CELL / 2, y * CELL + CELL / 2));
-                    (Pose::from_translation(middle), SharedShape::cuboid(half, half))
-                });
-                let world: &'static Compound = Box::leak(Box::new(Compound::new(boxes.collect())));
+                among(list, $compound, compound(level), moving);
+                among(list, $voxels, voxels(level), moving);
+            }
+
+            fn among(list: &mut List<Case, Answer>, name: &'static str, world: impl Shape, moving: bool) {
+                // The loops may live as long as the program.
+                let world: &'static _ = Box::leak(Box::new(world));
                 let shape = |c: &Case| (Ball::of(&c.a), vector(c.d));
                 if moving {
                     let read = |hit: &Option<ShapeCastHit>| Answer {
@@ -135,20 +134,20 @@ macro_rules! parry {
                         let options = ShapeCastOptions { max_time_of_impact: 1.0, ..ShapeCastOptions::default() };
                         cast_shapes(p, *d, a, &Pose::identity(), Vector::ZERO, world, options).ok().flatten()
                     };
-                    list.add(($name, "cast", FORMAT), shape, ask, read);
+                    list.add((name, "cast", FORMAT), shape, ask, read);
                 } else {
                     let ask = move |((p, a), _): &((Pose, Ball), Vector)| {
                         intersection_test(p, a, &Pose::identity(), world).is_ok_and(|i| i.intersecting)
                     };
-                    list.add(($name, "overlaps", FORMAT), shape, ask, answer);
+                    list.add((name, "overlaps", FORMAT), shape, ask, answer);
                 }
             }
         }
     };
 }
 
-parry!(single, parry2d, "parry2d");
-parry!(double, parry2d_f64, "parry2d-f64");
+parry!(single, parry2d, "parry2d", "parry2d Voxels");
+parry!(double, parry2d_f64, "parry2d-f64", "parry2d-f64 Voxels");
 
 fn asked(level: &Level, class: &str, moving: bool, n: usize) -> Asked<Case, Answer> {
     Asked {

@@ -75,6 +75,12 @@ impl Level {
         inside(x) && inside(y) && self.cells[y as usize * SIDE + x as usize] != 0
     }
 
+    /// The positions of all solid cells.
+    pub fn solid_cells(&self) -> impl Iterator<Item = (i64, i64)> {
+        let side = SIDE as i64;
+        (0..side * side).map(move |i| (i % side, i / side)).filter(|&(x, y)| self.solid(x, y))
+    }
+
     fn fill(&mut self, x: i64, y: i64, w: i64, h: i64) {
         for row in y..y + h {
             let from = row as usize * SIDE + x as usize;

@@ -3,7 +3,7 @@
 pub mod backends;
 pub mod classes;
 pub mod level;
-mod trees;
+pub mod trees;
 pub mod truth;
 
 use crate::callgrind;
@@ -97,9 +97,7 @@ mod tests {
             let level = Level::new(map);
             for class in CLASSES {
                 for ray in class.rays(&level, 4) {
-                    let side = level::SIDE as i64;
-                    let solid = (0..side * side).map(|i| (i % side, i / side)).filter(|&(x, y)| level.solid(x, y));
-                    let first = solid.filter_map(|(x, y)| enters(&ray, x, y)).min();
+                    let first = level.solid_cells().filter_map(|(x, y)| enters(&ray, x, y)).min();
                     let told = Truth::new(&level, &ray);
                     let closed = told.closed.map(|t| q(t.num) / q(t.den));
                     assert_eq!(closed, first, "{map:?} {class:?} {ray:?}");

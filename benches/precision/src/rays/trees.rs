@@ -1,7 +1,7 @@
 //! Libraries that hold the solid cells in separate trees or tables.
 
 use super::classes::Ray;
-use super::level::{CELL, Level, SIDE};
+use super::level::{CELL, Level};
 use super::truth::Answer;
 use crate::job::{Format, List};
 use crate::peers;
@@ -9,16 +9,10 @@ use std::ptr;
 use std::rc::Rc;
 use tilesat_judge::Random;
 
-/// The positions of solid cells.
-fn solid(level: &Level) -> impl Iterator<Item = (i64, i64)> {
-    let side = SIDE as i64;
-    (0..side * side).map(move |i| (i % side, i / side)).filter(|&(x, y)| level.solid(x, y))
-}
-
 macro_rules! parry {
     ($module:ident, $parry:ident, $voxels:literal, $compound:literal) => {
         pub mod $module {
-            use super::{Answer, CELL, Level, List, Ray, Rc, solid};
+            use super::{Answer, CELL, Level, List, Ray, Rc};
             use crate::peers::parry::$module::{FORMAT, length, vector};
             use $parry::math::{IVector, Pose, Real, Vector};
             use $parry::query::{Ray as Line, RayCast, RayIntersection};
@@ -36,15 +30,26 @@ macro_rules! parry {
                 );
             }
 
-            pub fn rays(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
+            /// A table of the solid cells.
+            pub fn voxels(level: &Level) -> Voxels {
                 let size: Real = length(CELL as f64);
-                let cells: Vec<IVector> = solid(level).map(|(x, y)| IVector::new(x as _, y as _)).collect();
-                add(list, $voxels, Voxels::new(Vector::new(size, size), &cells));
-                let boxes = solid(level).map(|(x, y)| {
+                let cells: Vec<IVector> = level.solid_cells().map(|(x, y)| IVector::new(x as _, y as _)).collect();
+                Voxels::new(Vector::new(size, size), &cells)
+            }
+
+            /// A tree with a box per solid cell.
+            pub fn compound(level: &Level) -> Compound {
+                let size: Real = length(CELL as f64);
+                let boxes = level.solid_cells().map(|(x, y)| {
                     let middle = |v: i64| (v as Real + 0.5) * size;
                     (Pose::translation(middle(x), middle(y)), SharedShape::cuboid(size / 2.0, size / 2.0))
                 });
-                add(list, $compound, Compound::new(boxes.collect()));
+                Compound::new(boxes.collect())
+            }
+
+            pub fn rays(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
+                add(list, $voxels, voxels(level));
+                add(list, $compound, compound(level));
             }
         }
     };
@@ -65,7 +70,7 @@ pub fn box2d(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
         let world = b2CreateWorld(&b2DefaultWorldDef());
         let body = b2CreateBody(world, &b2DefaultBodyDef());
         let def = b2DefaultShapeDef();
-        for (x, y) in solid(level) {
+        for (x, y) in level.solid_cells() {
             let middle = vector((x * CELL + CELL / 2, y * CELL + CELL / 2));
             let shape = b2MakeOffsetBox(8.0, 8.0, middle, b2Rot { c: 1.0, s: 0.0 });
             b2CreatePolygonShape(body, &def, &shape);
@@ -93,7 +98,7 @@ pub fn chipmunk(list: &mut List<Ray, Answer>, level: &Rc<Level>) {
     // SAFETY: as in the library's manual. The space lives as long as the program.
     let space = unsafe {
         let space = cpSpaceNew();
-        let (mut cells, mut r) = (solid(level).collect::<Vec<_>>(), Random::new(1));
+        let (mut cells, mut r) = (level.solid_cells().collect::<Vec<_>>(), Random::new(1));
         for i in (1..cells.len()).rev() {
             cells.swap(i, r.below(i as i64 + 1) as usize);
         }

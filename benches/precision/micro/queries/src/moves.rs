@@ -139,32 +139,35 @@ impl<S: Scalar> Exact for Aabb<S> {
     }
 }
 
-/// Calls a macro for each mover: the row's keys and its kind of body, its level, body and motion,
-/// and the call of a frame.
+/// Calls a macro for each mover: the row's workload, its kind of body, backend and question, its
+/// level, body and motion, and the call of a frame.
 ///
-/// Textbook boxes move by axes among blocks. Everything else moves in steps. Their f64 form would
-/// not fit into 256 KiB of flash beside the others.
+/// Textbook boxes move by axes among blocks, in two ways. Everything else moves in steps. Their f64
+/// form would not fit into 256 KiB of flash beside the others.
 #[macro_export]
 macro_rules! each_move {
     ($each:ident) => {
-        each_move! { level $each "move: blocks 25 %", Blocks, by_axes }
-        each_move! { level $each "move: all shapes 25 %", AllShapes, by_steps }
-        each_move! { level $each "move: level ninja", AllShapes, by_steps }
+        each_move! { level $each "move: blocks 25 %", Blocks, "move" by_axes, "move (columns)" by_columns }
+        each_move! { level $each "move: all shapes 25 %", AllShapes, "move" by_steps }
+        each_move! { level $each "move: level ninja", AllShapes, "move" by_steps }
     };
-    (level $each:ident $workload:literal, $set:ident, $boxes:ident) => {
+    (level $each:ident $workload:literal, $set:ident, $($asked:literal $boxes:ident),+) => {
         each_move! { own $each $workload, "circle", $set, Circle }
         each_move! { own $each $workload, "box", $set, Aabb }
-        each_move! { book $each $workload, "naive Q16.16", Q16, $boxes }
-        each_move! { book $each $workload, "textbook f32", f32, $boxes }
+        each_move! { book $each $workload, "naive Q16.16", Q16, $($asked $boxes),+ }
+        each_move! { book $each $workload, "textbook f32", f32, $($asked $boxes),+ }
     };
     (own $each:ident $workload:literal, $kind:literal, $set:ident, $body:ident) => {
-        $each! { $workload, $kind, "tilesat", tilesat::TileMap<'static, tilesat::$set>, tilesat::$body, tilesat::Vec2,
+        $each! { $workload, $kind, "tilesat", "move",
+        tilesat::TileMap<'static, tilesat::$set>, tilesat::$body, tilesat::Vec2,
         |s| MOVER.move_and_slide(s.level, &s.body, s.motion).map_or(s.body, |moved| moved.body) }
     };
-    (book $each:ident $workload:literal, $backend:literal, $s:ty, $boxes:ident) => {
-        $each! { $workload, "circle", $backend, walk::Level<'_, $s>, book::Circle<$s>, book::Vector<$s>,
+    (book $each:ident $workload:literal, $backend:literal, $s:ty, $($asked:literal $boxes:ident),+) => {
+        $each! { $workload, "circle", $backend, "move",
+        walk::Level<'_, $s>, book::Circle<$s>, book::Vector<$s>,
         |s| walk::by_steps(s.level, &s.body, s.motion) }
-        $each! { $workload, "box", $backend, walk::Level<'_, $s>, book::Aabb<$s>, book::Vector<$s>,
-        |s| walk::$boxes(s.level, &s.body, s.motion) }
+        $($each! { $workload, "box", $backend, $asked,
+        walk::Level<'_, $s>, book::Aabb<$s>, book::Vector<$s>,
+        |s| walk::$boxes(s.level, &s.body, s.motion) })+
     };
 }

@@ -15,7 +15,7 @@ static LEVELS: &[u8] = include_bytes!(concat!(env!("PRECISION_INPUTS"), "/levels
 fn main() -> ! {
     let mut table = Table::<Long>::start(INPUTS);
     macro_rules! count {
-        ($workload:literal, $kind:literal, $backend:literal, $level:ty, $body:ty, $motion:ty, |$s:ident| $ask:expr) => {
+        ($workload:literal, $kind:literal, $backend:literal, $asked:literal, $level:ty, $body:ty, $motion:ty, |$s:ident| $ask:expr) => {
             for class in table.classes($workload).filter(|c| c.name.starts_with($kind)) {
                 let room = room(LEVELS, &class);
                 let tiles = <$level as Level>::tiles(&room);
@@ -23,7 +23,7 @@ fn main() -> ! {
                 let query: Query<Step<'_, $level, $body, $motion>, $body> = |$s, out| {
                     out.write($ask);
                 };
-                table.moves(($workload, $backend, "move"), &class, &level, query);
+                table.moves(($workload, $backend, $asked), &class, &level, query);
             }
         };
     }
