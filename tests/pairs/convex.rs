@@ -5,7 +5,9 @@
 //! 10 000 000).
 
 use std::time::Instant;
+use tilesat::prelude::*;
 use tilesat::query::Separation;
+use tilesat::{Axis, Capsule, OrientedBox, Vec2, fx};
 use tilesat_judge::convex::ask::overlaps_from;
 use tilesat_judge::convex::generate::{CLASSES, Class, Pairs};
 use tilesat_judge::convex::shape::{KINDS, Kind, Shape, pairs};
@@ -76,6 +78,20 @@ fn whole_domain() {
 #[test]
 fn slivers() {
     sweep(Class::Thin);
+}
+
+/// A hint that two corners left, for a pair in which they are one point.
+#[test]
+fn a_hint_of_another_pair_changes_nothing() {
+    let dot = |x| Capsule::new(Vec2::from_ints(x, 0), Vec2::from_ints(x, 0), fx!(1)).unwrap();
+    let mut last = Separation::default();
+    assert!(!dot(0).overlaps_from(
+        &Capsule::new(Vec2::new(fx!(1), fx!(1.9)), Vec2::new(fx!(1), fx!(1.9)), fx!(1)).unwrap(),
+        &mut last
+    ));
+    assert_ne!(last, Separation::default());
+    let turned = OrientedBox::new(Vec2::ZERO, Vec2::from_ints(2, 1), Axis::new(3, 4)).unwrap();
+    assert!(turned.overlaps_from(&turned, &mut last));
 }
 
 /// Boxes, circles and segments among themselves, with their manifolds.

@@ -1,19 +1,51 @@
 //! Which of two sides is nearer, mostly by a few leading bits.
 
 use super::walk::PolygonSide;
-use crate::num::{leading_zeros64, sqr64};
+#[cfg(not(all(target_pointer_width = "64", not(tilesat_split))))]
+use crate::num::leading_zeros64;
+use crate::num::sqr64;
 use crate::query::closest::Square;
 use core::cmp::Ordering;
+
+/// The square distance of the origin from a side's line, rounded.
+///
+/// Half of the instructions of leading bits in words.
+#[cfg(all(target_pointer_width = "64", not(tilesat_split)))]
+pub(super) struct Nearness(f64);
+
+#[cfg(all(target_pointer_width = "64", not(tilesat_split)))]
+#[expect(clippy::cast_precision_loss, clippy::float_arithmetic, reason = "what is near is compared exactly")]
+impl Nearness {
+    pub(super) fn of(side: &PolygonSide) -> Self {
+        // A signed conversion is one instruction; both are below 2^63.
+        let (height, len2) = (side.height() as f64, side.len2() as i64 as f64);
+        Self(height * height / len2)
+    }
+
+    /// `None` where they are too near: five roundings of 2^-53 make up less than 2^-50.
+    fn cmp(&self, rhs: &Self) -> Option<Ordering> {
+        const SHORT: f64 = 1.0 - 1.0 / (1u64 << 48) as f64;
+        if self.0 * SHORT > rhs.0 {
+            Some(Ordering::Greater)
+        } else if rhs.0 * SHORT > self.0 {
+            Some(Ordering::Less)
+        } else {
+            None
+        }
+    }
+}
 
 /// The square distance of the origin from a side's line, as a fraction of 16 leading bits each.
 ///
 /// On a Cortex-M0 it takes a tenth of the exact quotient.
+#[cfg(not(all(target_pointer_width = "64", not(tilesat_split))))]
 pub(super) struct Nearness {
     square: u32,
     len2: u32,
     exponent: i32,
 }
 
+#[cfg(not(all(target_pointer_width = "64", not(tilesat_split))))]
 impl Nearness {
     pub(super) const fn of(side: &PolygonSide) -> Self {
         let (height, len2) = (side.height().unsigned_abs(), side.len2());
