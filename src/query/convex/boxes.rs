@@ -1,7 +1,9 @@
-//! Whether two boxes in any direction overlap.
+//! Whether two boxes in any direction overlap, and by which side they are nearest to apart.
 
-use super::walk::Core;
+use super::nearness::Nearness;
+use super::walk::{Core, PolygonSide};
 use crate::num::{LONG, Raw, leading_zeros32};
+use core::cmp::Ordering;
 use core::ops::{Add, Sub};
 
 /// A shape with four corners and two directions: boxes, turned or not.
@@ -46,6 +48,54 @@ impl Parallelogram {
         }
         let margins = margins(sides, |e, f| e.cross(f).wrapping_abs());
         margins.iter().all(|m| if CLOSED { *m >= 0 } else { *m > 0 })
+    }
+}
+
+/// The side of the sum of two boxes that is nearest to the origin.
+pub(super) enum Nearest {
+    Side(PolygonSide),
+    /// The boxes do not overlap.
+    Apart,
+    /// Another one is as near, or nearly.
+    Unsure,
+}
+
+impl Nearest {
+    /// Of two boxes with these outlines. The margin across a side is twice the height of the nearer
+    /// one of two opposite sides.
+    pub(super) fn of((a, p): (Core<'_>, &Parallelogram), (b, q): (Core<'_>, &Parallelogram)) -> Self {
+        let d = q.middle.sub(p.middle);
+        let sides = [p.u, p.v, q.u, q.v];
+        let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());
+        let mut best: Option<(Nearness, usize, Raw)> = None;
+        for (k, (side, margin)) in sides.into_iter().zip(margins).enumerate() {
+            if margin <= 0 {
+                return Self::Apart;
+            }
+            let near = Nearness::of(margin, side.len2());
+            match best.as_ref().map(|(least, ..)| near.cmp(least)) {
+                Some(None) => return Self::Unsure,
+                Some(Some(Ordering::Greater)) => {}
+                _ => best = Some((near, k, side)),
+            }
+        }
+        let Some((_, k, side)) = best else { return Self::Unsure };
+        let toward = side.cross(d);
+        if toward == 0 {
+            return Self::Unsure;
+        }
+        // Seen from the origin, the sum's middle is on the left of its nearest side. No other side is
+        // parallel, or it would be as near. Those of the reversed B run backward.
+        let (forward, of_a) = (toward < 0, k < 2);
+        let edge = if forward { side } else { side.reversed() };
+        let begin = (k & 1) | usize::from(forward != of_a) << 1;
+        let corner = |u: bool, v: bool| if v { 3 ^ usize::from(u) } else { usize::from(u) };
+        let (i, j) = if of_a {
+            (begin, corner(edge.cross(q.u) > 0, edge.cross(q.v) > 0))
+        } else {
+            (corner(edge.cross(p.u) < 0, edge.cross(p.v) < 0), begin)
+        };
+        Self::Side(PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a })
     }
 }
 

@@ -1,5 +1,6 @@
 //! The contact of two shapes: their least exit.
 
+use super::boxes::{Nearest, Parallelogram};
 use super::face::Facing;
 use super::nearness::{Nearness, order};
 use super::place::Place;
@@ -32,12 +33,24 @@ impl Exit {
             }
             // Only the radii overlap.
             Place::Side(side, height) if height > 0 => (side, false),
-            _ => least(a, b, radius == 0)?,
+            _ => nearest(a, b, radius == 0)?,
         };
         let (side, tie) = side;
         let contact = across(&side, a, b).with_degenerate(tie).with_radii(a.radius, b.radius);
         Some(Self { contact, side: Some(side), corners: (side.a, side.b) })
     }
+}
+
+/// The same as [`least`], for boxes mostly without a walk.
+fn nearest(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
+    if let (true, Some(p), Some(q)) = (open, Parallelogram::of(a), Parallelogram::of(b)) {
+        match Nearest::of((a, &p), (b, &q)) {
+            Nearest::Side(side) => return Some((side, false)),
+            Nearest::Apart => return None,
+            Nearest::Unsure => {}
+        }
+    }
+    least(a, b, open)
 }
 
 /// The side of the sum that is nearest to an origin inside or on the border, and whether another
@@ -51,7 +64,7 @@ fn least(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
         if height < 0 || (open && height == 0) {
             return None;
         }
-        let next = (Nearness::of(&side), side);
+        let next = (Nearness::of(height, side.len2()), side);
         let Some(kept) = &best else {
             best = Some(next);
             continue;

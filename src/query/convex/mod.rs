@@ -164,6 +164,10 @@ macro_rules! pair {
         impl<$($n)*> Contacts<$b> for $a {
             #[inline]
             fn contact(&self, b: &$b) -> Option<Contact> {
+                // Of capsules, the short test takes a tenth of a contact.
+                if self.ends().is_some() && b.ends().is_some() && !self.overlaps(b) {
+                    return None;
+                }
                 with_cores!(self, b, |a, b| Exit::of(a, b)).map(|exit| exit.contact)
             }
         }

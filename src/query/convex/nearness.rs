@@ -16,14 +16,15 @@ pub(super) struct Nearness(f64);
 #[cfg(all(target_pointer_width = "64", not(tilesat_split)))]
 #[expect(clippy::cast_precision_loss, clippy::float_arithmetic, reason = "what is near is compared exactly")]
 impl Nearness {
-    pub(super) fn of(side: &PolygonSide) -> Self {
-        // A signed conversion is one instruction; both are below 2^63.
-        let (height, len2) = (side.height() as f64, side.len2() as i64 as f64);
+    /// From the height times the side's length, not negative, and the square of that. A signed
+    /// conversion is one instruction; both are below 2^63.
+    pub(super) fn of(height: i64, len2: u64) -> Self {
+        let (height, len2) = (height as f64, len2 as i64 as f64);
         Self(height * height / len2)
     }
 
     /// `None` where they are too near: five roundings of 2^-53 make up less than 2^-50.
-    fn cmp(&self, rhs: &Self) -> Option<Ordering> {
+    pub(super) fn cmp(&self, rhs: &Self) -> Option<Ordering> {
         const SHORT: f64 = 1.0 - 1.0 / (1u64 << 48) as f64;
         if self.0 * SHORT > rhs.0 {
             Some(Ordering::Greater)
@@ -47,8 +48,8 @@ pub(super) struct Nearness {
 
 #[cfg(not(all(target_pointer_width = "64", not(tilesat_split))))]
 impl Nearness {
-    pub(super) const fn of(side: &PolygonSide) -> Self {
-        let (height, len2) = (side.height().unsigned_abs(), side.len2());
+    pub(super) const fn of(height: i64, len2: u64) -> Self {
+        let height = height.unsigned_abs();
         let (h, l) = (leading_zeros64(height | 1), leading_zeros64(len2 | 1));
         // Above 2^15, and less than 1 below the value that it stands for.
         let top = (height << (h & 63) >> 48) as u32;
@@ -62,7 +63,7 @@ impl Nearness {
     /// Squares are at least 2^14 and lengths 2^15, so products are in 2^29..2^32. A product lacks
     /// less than 5/8 of its 2^-12th: 2^-14 each for the height and for the square, 2^-15 for the
     /// length.
-    const fn cmp(&self, rhs: &Self) -> Option<Ordering> {
+    pub(super) const fn cmp(&self, rhs: &Self) -> Option<Ordering> {
         let (p, q) = (self.square.wrapping_mul(rhs.len2), rhs.square.wrapping_mul(self.len2));
         let apart = self.exponent.wrapping_sub(rhs.exponent);
         if apart > 3 {
