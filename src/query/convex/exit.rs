@@ -1,6 +1,7 @@
 //! The contact of two shapes: their least exit.
 
 use super::boxes::{Nearest, Parallelogram};
+use super::each_side;
 use super::face::Facing;
 use super::nearness::{Nearness, order};
 use super::place::Place;
@@ -41,10 +42,17 @@ impl Exit {
     }
 }
 
-/// The same as [`least`], for boxes mostly without a walk.
+/// The same as [`least`], for boxes and for few sides mostly without a walk.
 fn nearest(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
-    if let (true, Some(p), Some(q)) = (open, Parallelogram::of(a), Parallelogram::of(b)) {
-        match Nearest::of((a, &p), (b, &q)) {
+    if open {
+        let found = if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
+            Nearest::of((a, &p), (b, &q))
+        } else if each_side::are_few(a, b) {
+            each_side::nearest(a, b)
+        } else {
+            Nearest::Unsure
+        };
+        match found {
             Nearest::Side(side) => return Some((side, false)),
             Nearest::Apart => return None,
             Nearest::Unsure => {}

@@ -8,6 +8,7 @@
 
 mod boxes;
 mod cast;
+mod each_side;
 mod exit;
 mod face;
 mod hint;
@@ -122,16 +123,26 @@ fn boxes_meet<const CLOSED: bool>((a, b): &(Aabb, Aabb)) -> bool {
 #[inline]
 fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
     if let (Some(p), Some(q)) = (a.box_sides(), b.box_sides()) {
-        // As many products as a processor of 64 bits would save take no longer than the bounds.
+        // On 64-bit the bounds would take as long as the products that they save.
         return (LONG || boxes_meet::<CLOSED>(&bounds()))
             && Parallelogram::new(p).meets::<CLOSED>(&Parallelogram::new(q));
     }
-    let bounds = bounds();
     let radius = a.rounding().wrapping_add(b.rounding());
     if let (true, Some(p), Some(q)) = (radius != 0, a.ends(), b.ends()) {
-        return boxes_meet::<CLOSED>(&bounds) && capsules_meet::<CLOSED>(p, q, radius);
+        return boxes_meet::<CLOSED>(&bounds()) && capsules_meet::<CLOSED>(p, q, radius);
     }
-    boxes_meet::<CLOSED>(&bounds) && with_cores!(a, b, |a, b| meets_in::<CLOSED>(a, b, Some(&bounds)))
+    // On a chip the bounds come first; elsewhere few sides take less than these.
+    let known = (!LONG).then(&bounds);
+    if known.as_ref().is_some_and(|known| !boxes_meet::<CLOSED>(known)) {
+        return false;
+    }
+    with_cores!(a, b, |a, b| {
+        if radius == 0 && each_side::are_few(a, b) {
+            return each_side::meet::<CLOSED>(a, b);
+        }
+        let bounds = known.unwrap_or_else(bounds);
+        (!LONG || boxes_meet::<CLOSED>(&bounds)) && meets_in::<CLOSED>(a, b, Some(&bounds))
+    })
 }
 
 /// All verbs of one ordered pair.

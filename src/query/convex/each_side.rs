@@ -1,0 +1,76 @@
+//! The sides of two polygons one by one, each against all corners of the other polygon.
+//!
+//! On 64-bit processors, where a product is one instruction: up to some 64 pairs of a side and a
+//! corner take half of what a walk around the sum takes.
+
+use super::boxes::Nearest;
+use super::nearness::Nearness;
+use super::walk::{Core, PolygonSide};
+use crate::num::{LONG, Raw, Vec2};
+use core::cmp::Ordering;
+use core::mem::replace;
+
+/// Whether two shapes are polygons with few sides, on such a processor.
+pub(super) const fn are_few(a: Core<'_>, b: Core<'_>) -> bool {
+    let (n, m) = (a.corners.len(), b.corners.len());
+    LONG && n > 2 && m > 2 && n.saturating_mul(m) <= 64
+}
+
+/// How far a point is on the left of a line through the origin along an edge, times its length.
+/// Below 2^60.
+fn left_of(edge: Raw, p: &Vec2) -> i64 {
+    edge.cross(Raw::of(*p))
+}
+
+/// Whether two polygons overlap, or touch: none is beyond a side of the other one.
+pub(super) fn meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
+    let reach_inside = |of: Core<'_>, other: Core<'_>| {
+        let mut from = of.corner(of.before(0));
+        of.corners.iter().all(|to| {
+            let to = Raw::of(*to);
+            let edge = to.sub(from);
+            let line = edge.cross(replace(&mut from, to));
+            let is_inside = |p: &Vec2| if CLOSED { left_of(edge, p) >= line } else { left_of(edge, p) > line };
+            other.corners.iter().any(is_inside)
+        })
+    };
+    reach_inside(a, b) && reach_inside(b, a)
+}
+
+/// The side of the sum that is nearest to the origin. Parallel sides are as near as each other, and
+/// one in the sum.
+pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Nearest {
+    let mut best: Option<(Nearness, PolygonSide)> = None;
+    for (of, other, of_a) in [(a, b, true), (b, a, false)] {
+        let mut begin = of.before(0);
+        let mut from = of.corner(begin);
+        for (end, to) in of.corners.iter().enumerate() {
+            let to = Raw::of(*to);
+            let edge = to.sub(from);
+            let line = edge.cross(replace(&mut from, to));
+            let begin = replace(&mut begin, end);
+            let (mut farthest, mut most) = (0, i64::MIN);
+            for (j, p) in other.corners.iter().enumerate() {
+                let here = left_of(edge, p);
+                if here > most {
+                    (farthest, most) = (j, here);
+                }
+            }
+            let height = most.wrapping_sub(line);
+            if height <= 0 {
+                return Nearest::Apart;
+            }
+            let near = Nearness::of(height, edge.len2());
+            match best.as_ref().map(|(least, _)| near.cmp(least)) {
+                Some(None) => return Nearest::Unsure,
+                Some(Some(Ordering::Greater)) => {}
+                _ => {
+                    let (i, j, edge) = if of_a { (begin, farthest, edge) } else { (farthest, begin, edge.reversed()) };
+                    let from = a.corner(i).sub(b.corner(j));
+                    best = Some((near, PolygonSide { from, edge, a: i, b: j, of_a, of_b: !of_a }));
+                }
+            }
+        }
+    }
+    best.map_or(Nearest::Unsure, |(_, side)| Nearest::Side(side))
+}
