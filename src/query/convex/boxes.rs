@@ -2,7 +2,7 @@
 
 use super::nearness::Nearness;
 use super::walk::{Core, PolygonSide};
-use crate::num::{LONG, Raw, leading_zeros32};
+use crate::num::{Raw, SPLIT, leading_zeros32};
 use core::cmp::Ordering;
 use core::ops::{Add, Sub};
 
@@ -35,8 +35,8 @@ impl Parallelogram {
         // Below 2^31: twice the distance of two points of the domain, or near it.
         let d = other.middle.sub(self.middle);
         let sides = [self.u, self.v, other.u, other.v, d];
-        if !LONG {
-            let shift = shift_to_14(sides.iter().take(4).fold(spread(d) >> 1, |bits, e| bits | spread(*e)));
+        if SPLIT {
+            let shift = shift_to(14, sides.iter().take(4).fold(spread(d) >> 1, |bits, e| bits | spread(*e)));
             let leading = margins(sides.map(|e| short(e, shift)), |e, f| short_cross(e, f).wrapping_abs());
             let least = leading.iter().fold(i32::MAX, |least, m| least.min(*m));
             // A component loses less than one. So a product of two sides is off by less than the sum
@@ -104,9 +104,9 @@ pub(super) const fn spread(v: Raw) -> u32 {
     ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
 }
 
-/// How far to shift so that what these bits bound has 14 at most, and a sign.
-pub(super) const fn shift_to_14(bits: u32) -> u32 {
-    18_u32.saturating_sub(leading_zeros32(bits)) & 31
+/// How far to shift so that what these bits bound has so many at most, and a sign.
+pub(super) const fn shift_to(count: u32, bits: u32) -> u32 {
+    (32 - count).saturating_sub(leading_zeros32(bits)) & 31
 }
 
 pub(super) const fn short(v: Raw, shift: u32) -> Raw {

@@ -1,19 +1,19 @@
 //! The sides of two polygons one by one, each against all corners of the other polygon.
 //!
-//! On 64-bit processors, where a product is one instruction: up to some 64 pairs of a side and a
-//! corner take half of what a walk around the sum takes.
+//! Where a product is an instruction, up to some 64 pairs of a side and a corner take half of what a
+//! walk around the sum takes.
 
 use super::boxes::Nearest;
 use super::nearness::Nearness;
 use super::walk::{Core, PolygonSide};
-use crate::num::{LONG, Raw, Vec2};
+use crate::num::{Raw, SPLIT, Vec2};
 use core::cmp::Ordering;
 use core::mem::replace;
 
-/// Whether two shapes are polygons with few sides, on such a processor.
+/// Whether two shapes are polygons with few sides, on a core with such a product.
 pub(super) const fn are_few(a: Core<'_>, b: Core<'_>) -> bool {
     let (n, m) = (a.corners.len(), b.corners.len());
-    LONG && n > 2 && m > 2 && n.saturating_mul(m) <= 64
+    !SPLIT && n > 2 && m > 2 && n.saturating_mul(m) <= 64
 }
 
 /// How far a point is on the left of a line through the origin along an edge, times its length.

@@ -1,8 +1,10 @@
 //! What separated two shapes last: asked first, it mostly still does.
 
-use super::place::{Place, sharp, surely_meet};
+use super::each_side;
+use super::place::{Place, corners_meet, sharp};
+use super::short_sides::shortly;
 use super::walk::{Core, Corner, PolygonSide, turn};
-use crate::num::{Raw, less128, mul64, sqr64, usqr};
+use crate::num::{Raw, SPLIT, less128, mul64, sqr64, usqr};
 use crate::shape::Aabb;
 
 /// What last separated two shapes: a side of one, or the way between two corners.
@@ -88,10 +90,17 @@ pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: &(Aabb, Aabb), last: &mu
     if last.separates(a, b) {
         return false;
     }
-    if surely_meet::<false>(a, b, Some(boxes)) {
+    let radius = a.radius.wrapping_add(b.radius);
+    let meet = if radius != 0 {
+        corners_meet::<false>(a, b, radius)
+    } else if each_side::are_few(a, b) {
+        each_side::meet::<false>(a, b)
+    } else {
+        SPLIT && shortly(a, b, boxes) == Some(true)
+    };
+    if meet {
         return true;
     }
-    let radius = a.radius.wrapping_add(b.radius);
     let apart_by = if radius == 0 {
         match sharp::<false>(a, b) {
             Ok(()) => return true,

@@ -19,6 +19,7 @@ mod place;
 mod point;
 mod ray;
 mod round;
+mod short_sides;
 mod walk;
 
 use super::cast::CastShape;

@@ -1,12 +1,12 @@
 //! The position of the origin relative to the sum of two shapes: inside, before a side or before a
 //! corner.
 
-use super::boxes::{Parallelogram, shift_to_14, short, short_cross, spread};
+use super::boxes::Parallelogram;
+use super::short_sides::shortly;
 use super::walk::{Core, Corner, PolygonSide, SideWalk, turn};
-use crate::num::{Raw, Vec2, div_sqrt, isqrt64, less128, mul64, sqr64, usqr};
+use crate::num::{Raw, SPLIT, Vec2, div_sqrt, isqrt64, less128, mul64, sqr64, usqr};
 use crate::query::meet::{circle_circle, circle_segment, segment_segment};
 use crate::shape::Aabb;
-use core::mem::replace;
 
 /// The part of the sum's border that is nearest to the origin, the radii left aside.
 #[derive(Clone, Copy, Debug)]
@@ -89,49 +89,15 @@ pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Opti
             return p.meets::<CLOSED>(&q);
         }
     }
-    surely_meet::<CLOSED>(a, b, boxes)
-        || if radius == 0 { sharp::<CLOSED>(a, b).is_ok() } else { Place::of(a, b).within::<CLOSED>(radius) }
-}
-
-/// Whether a short test finds that two shapes meet.
-#[inline(always)]
-pub(super) fn surely_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>) -> bool {
-    match a.radius.wrapping_add(b.radius) {
-        0 => boxes.is_some_and(|(p, q)| share_middle(a, b, p, q)),
-        radius => corners_meet::<CLOSED>(a, b, radius),
+    if radius != 0 {
+        return corners_meet::<CLOSED>(a, b, radius) || Place::of(a, b).within::<CLOSED>(radius);
     }
-}
-
-/// Whether the middle of the common part of the bounding boxes is inside both shapes: so it is for
-/// most that overlap, and takes a fifth of a walk around the sum.
-fn share_middle(a: Core<'_>, b: Core<'_>, p: &Aabb, q: &Aabb) -> bool {
-    if a.corners.len() < 3 || b.corners.len() < 3 {
-        return false;
-    }
-    // Sums of coordinates of the domain are below 2^30.
-    let middle = |plo: i32, phi: i32, qlo: i32, qhi: i32| plo.max(qlo).wrapping_add(phi.min(qhi)) >> 1;
-    let (plo, phi, qlo, qhi) = (p.lo(), p.hi(), q.lo(), q.hi());
-    let at = Raw { x: middle(plo.x, phi.x, qlo.x, qhi.x), y: middle(plo.y, phi.y, qlo.y, qhi.y) };
-    let far = [plo, phi, qlo, qhi].iter().fold(0, |bits, p| bits | spread(p.sub(at)));
-    let shift = shift_to_14(far);
-    has_inside(a, at, shift) && has_inside(b, at, shift)
-}
-
-/// Whether a point is surely on the left of all sides of a shape: by the leading 14 bits.
-///
-/// A component loses less than one, so a product is off by less than the sum of the components and
-/// one, 2^16 + 1.
-fn has_inside(core: Core<'_>, at: Raw, shift: u32) -> bool {
-    let seen = |p: Raw| short(p.sub(at), shift);
-    let mut last = seen(core.corner(core.before(0)));
-    core.corners.iter().all(|p| {
-        let next = seen(Raw::of(*p));
-        short_cross(replace(&mut last, next), next) > 1 << 16
-    })
+    let settled = if SPLIT { boxes.and_then(|boxes| shortly(a, b, boxes)) } else { None };
+    settled.unwrap_or_else(|| sharp::<CLOSED>(a, b).is_ok())
 }
 
 /// Whether two of the corners are near enough: so it is for most that overlap and have few of them.
-fn corners_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, radius: i32) -> bool {
+pub(super) fn corners_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, radius: i32) -> bool {
     let near = |p: &Vec2, q: &Vec2| circle_circle::<CLOSED>(Raw::of(*p), Raw::of(*q), radius);
     a.corners.len().wrapping_add(b.corners.len()) <= 4 && a.corners.iter().any(|p| b.corners.iter().any(|q| near(p, q)))
 }
