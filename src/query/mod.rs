@@ -130,9 +130,9 @@
 //! All pairs with one of these shapes share one algorithm. It merges the sides of A and -B by
 //! direction: these are the sides of the sum A + (-B). Each verb then asks about the origin and
 //! that polygon. For shapes of n and m corners it visits at most n + m sides. `overlaps` stops at
-//! the first side that separates the shapes. Boxes, capsules, and polygons of few sides have shorter
-//! tests, which give the same answers or leave the question to the walk. A game of boxes, circles
-//! and segments links none of this code.
+//! the first side that separates the shapes. Boxes, capsules, and polygons of few sides have
+//! shorter tests, which give the same answers or leave the question to this one. A game of boxes,
+//! circles and segments links none of this code.
 //!
 //! Contacts follow the table below. If several exits are equally short, an axis along x wins, then
 //! one along y, then another. Of two opposite ones the positive wins (of slanted ones, the one with
