@@ -98,7 +98,7 @@ pub(crate) const fn gap(c: i32, lo: i32, hi: i32) -> i32 {
     if left > right { left } else { right }
 }
 
-/// A gap, or 0 where there is none.
+/// A gap, or 0 if there is none.
 #[inline]
 const fn outside(gap: i32) -> i32 {
     if gap > 0 { gap } else { 0 }
