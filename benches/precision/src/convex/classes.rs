@@ -1,5 +1,5 @@
-//! Classes of pairs of convex shapes. All numbers are exact in every backend's format, up to its
-//! rounding of a length: the directions of boxes and capsules are those of Pythagorean triples.
+//! Classes of pairs of convex shapes. Boxes and capsules point along Pythagorean triples. So their
+//! corners are whole numbers, and floats get the same shapes.
 
 use tilesat_judge::convex::generate::touch;
 use tilesat_judge::convex::shape::{Kind, Shape, hull, sum};

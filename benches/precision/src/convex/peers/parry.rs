@@ -58,8 +58,8 @@ macro_rules! parry {
                 at(cuboid.inverse_transform_point(ball.translation))
             }
 
-            /// Its test for overlaps. A contact by the two halves of that test: its own function for
-            /// boxes, which its queries do not call, misses a quarter of the hits.
+            /// Its test for overlaps, and a contact by the two halves of that test. It also has a
+            /// contact of boxes, which its queries do not call: that one misses half of the hits.
             fn boxes(list: &mut List<Pair, Answer>) {
                 type Placement = (Pose, Cuboid);
                 let shapes = |(a, b): &Pair| -> (Placement, Placement) { (Cuboid::of(a), Cuboid::of(b)) };
