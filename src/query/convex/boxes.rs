@@ -39,9 +39,9 @@ impl Parallelogram {
             let shift = shift_to(14, sides.iter().take(4).fold(spread(d) >> 1, |bits, e| bits | spread(*e)));
             let leading = margins(sides.map(|e| short(e, shift)), |e, f| short_cross(e, f).wrapping_abs());
             let least = leading.iter().fold(i32::MAX, |least, m| least.min(*m));
-            // A component loses less than one. So a product of two sides is off by less than the sum
-            // of their components and one, 2^16 + 1, one with `d` by 2^16 + 2^15 + 1, and the sum of
-            // four by less than this.
+            // A component loses less than one. So a product of two sides is off by less than the
+            // sum of their components and one, 2^16 + 1, one with `d` by 2^16 + 2^15 + 1, and the
+            // sum of four by less than this.
             if least.wrapping_abs() > 5 << 16 {
                 return least > 0;
             }
@@ -84,8 +84,8 @@ impl Nearest {
         if toward == 0 {
             return Self::Unsure;
         }
-        // Seen from the origin, the sum's middle is on the left of its nearest side. No other side is
-        // parallel, or it would be as near. Those of the reversed B run backward.
+        // Seen from the origin, the sum's middle is on the left of its nearest side. No other side
+        // is parallel, or it would be as near. Those of the reversed B run backward.
         let (forward, of_a) = (toward < 0, k < 2);
         let edge = if forward { side } else { side.reversed() };
         let begin = (k & 1) | usize::from(forward != of_a) << 1;
@@ -119,8 +119,8 @@ pub(super) const fn short_cross(e: Raw, f: Raw) -> i32 {
 }
 
 /// For each of the four directions of sides, the widths of two parallelograms across it together,
-/// less twice the distance of their middles. `size` is that of a cross product; `d` is twice the way
-/// between the middles.
+/// less twice the distance of their middles. `size` is that of a cross product; `d` is twice the
+/// way between the middles.
 ///
 /// Exact ones are below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
 fn margins<T: Copy + Add<Output = T> + Sub<Output = T>>(
