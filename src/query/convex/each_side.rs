@@ -1,7 +1,7 @@
 //! The sides of two polygons one by one, each against all corners of the other polygon.
 //!
-//! Where a product is an instruction, up to some 64 pairs of a side and a corner take half of what a
-//! walk around the sum takes.
+//! Where a product is an instruction, up to some 64 pairs of a side and a corner take half of what
+//! a walk around the sum takes.
 
 use super::boxes::Nearest;
 use super::nearness::Nearness;
@@ -18,8 +18,8 @@ pub(super) const fn are_few(a: Core<'_>, b: Core<'_>) -> bool {
 
 /// How far a point is on the left of a line through the origin along an edge, times its length.
 /// Below 2^60.
-fn left_of(edge: Raw, p: &Vec2) -> i64 {
-    edge.cross(Raw::of(*p))
+fn left_of(edge: Raw, p: Vec2) -> i64 {
+    edge.cross(Raw::of(p))
 }
 
 /// Whether two polygons overlap, or touch: none is beyond a side of the other one.
@@ -30,7 +30,7 @@ pub(super) fn meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
             let to = Raw::of(*to);
             let edge = to.sub(from);
             let line = edge.cross(replace(&mut from, to));
-            let is_inside = |p: &Vec2| if CLOSED { left_of(edge, p) >= line } else { left_of(edge, p) > line };
+            let is_inside = |p: &Vec2| if CLOSED { left_of(edge, *p) >= line } else { left_of(edge, *p) > line };
             other.corners.iter().any(is_inside)
         })
     };
@@ -51,7 +51,7 @@ pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Nearest {
             let begin = replace(&mut begin, end);
             let (mut farthest, mut most) = (0, i64::MIN);
             for (j, p) in other.corners.iter().enumerate() {
-                let here = left_of(edge, p);
+                let here = left_of(edge, *p);
                 if here > most {
                     (farthest, most) = (j, here);
                 }
