@@ -8,8 +8,8 @@
 #                          nothing into the repository
 #   run.sh --only "STEP.." only these of: count judge micro flash show; keeps the other results
 #   run.sh --untimed       judges without times: on a busy machine, or for rows with unchanged code
-#   run.sh --parts "P.."   judges and counts only these of: pairs rays casts moves levels broad
-#                          regions batch; with or without --only
+#   run.sh --parts "P.."   judges and counts only these of: pairs convex rays casts moves levels
+#                          broad regions batch; with or without --only
 #   run.sh --threads       prints what threads add to moves and casts in one level
 #   run.sh --soak N        asks each pair of shapes N times around touches; continues where it
 #                          stopped (target/precision/soak.txt)
@@ -113,8 +113,8 @@ micro() {
     mkdir -p "$PRECISION_INPUTS"
     "$bench" inputs "$PRECISION_INPUTS"
     local core part asked=(pairs rays casts moves broad)
-    # Only the host counts queries on whole levels, regions and many shapes.
-    ((${#parts[@]})) && mapfile -t asked < <(printf '%s\n' "${parts[@]}" | grep -vx -e levels -e regions -e batch)
+    # Only the host counts convex pairs, queries on whole levels, regions and many shapes.
+    ((${#parts[@]})) && mapfile -t asked < <(printf '%s\n' "${parts[@]}" | grep -vx -e convex -e levels -e regions -e batch)
     for core in "${cores[@]}"; do
         echo "instructions on ${core%:*}: ${asked[*]}" >&2
         for part in "${asked[@]}"; do

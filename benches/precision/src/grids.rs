@@ -1,6 +1,7 @@
 //! Our broad phases beside the trees of libraries.
 
 use crate::broad;
+use crate::question::is_shown;
 use crate::record::Row;
 use std::fmt::Write;
 
@@ -24,9 +25,7 @@ pub fn page(rows: &[Row]) -> String {
         let lines = "--:|".repeat(10 + book.len());
         let _ = writeln!(out, "\n| {workload} | {names} | best tree / best of ours |\n|---|{lines}");
         let mut classes: Vec<&str> = Vec::new();
-        for row in
-            rows.iter().filter(|r| r.workload() == workload && !r.class().is_empty() && !r.class().contains("6000 px"))
-        {
+        for row in rows.iter().filter(|r| r.workload() == workload && is_shown(r.class())) {
             if !classes.contains(&row.class()) {
                 classes.push(row.class());
             }

@@ -28,6 +28,8 @@ mod batch;
 mod broad;
 mod callgrind;
 mod casts;
+mod convex;
+mod each;
 mod goals;
 mod grids;
 mod job;
@@ -54,7 +56,7 @@ use std::process::ExitCode;
 
 const USAGE: &str = "tilesat-precision COMMAND [--quick] [--untimed] [--out FILE]
   measure [PART..] judges and times, and writes the rows; --untimed judges only
-  count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, rays, casts, moves, levels, broad, regions and batch
+  count [PART..]   counts instructions under callgrind, and adds them to the rows; parts are pairs, convex, rays, casts, moves, levels, broad, regions and batch
   inputs FOLDER    writes the inputs that microcontrollers get
   add CORE FILE    adds what a microcontroller printed (m0, m4f) or a linker (flash_m0, flash_m4f)
   soak N [--state FILE]
@@ -160,8 +162,9 @@ struct Part {
     count: fn(&Sizes),
 }
 
-const PARTS: [Part; 8] = [
+const PARTS: [Part; 9] = [
     Part { name: "pairs", measure: pairs::measure, count: pairs::count },
+    Part { name: "convex", measure: convex::measure, count: convex::count },
     Part { name: "rays", measure: rays::measure, count: rays::count },
     Part { name: "casts", measure: casts::measure, count: casts::count },
     Part { name: "moves", measure: moves::measure, count: moves::count },

@@ -53,12 +53,13 @@ fn style(backend: &str) -> (&'static str, char) {
 }
 
 /// Draws a marker. Full: a yes or no. Hollow: everything that a contact has. Half: a contact that
-/// computes the rest on request.
+/// computes the rest on request, or a distance.
 fn sign(out: &mut String, (x, y): (f64, f64), backend: &str, asked: &str) {
     let (colour, shape) = style(backend);
     let fill = match asked {
         "contact" => "white",
         "contact (lazy)" => "#b2f2bb",
+        "distance" => "#ffec99",
         _ => colour,
     };
     let pen = format!("stroke='{colour}' stroke-width='1.6' fill='{fill}'");

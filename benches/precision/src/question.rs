@@ -49,6 +49,17 @@ pub fn usual_class(workload: &str) -> &'static str {
     }
 }
 
+/// Whether the tables that list classes have a line for one. The others are between two of these,
+/// and only in the rows' file.
+pub fn is_shown(class: &str) -> bool {
+    const BETWEEN: [&str; 5] =
+        ["256 x 256 cells", "2048 x 2048 cells", "100 segments", "64 boxes in clumps", "1024 boxes and a huge one"];
+    let leaps = class.ends_with("that leap") && !class.starts_with("256");
+    // Boxes far from the origin cost about as much as others.
+    let far = class.ends_with("000 px from the origin");
+    !(class.is_empty() || BETWEEN.contains(&class) || leaps || far)
+}
+
 impl<'a> Question<'a> {
     /// All our answers, with the cheapest of each workload first. Leaves out parts of other
     /// answers.
@@ -56,9 +67,11 @@ impl<'a> Question<'a> {
         let mut all = Vec::new();
         for workload in workloads(rows) {
             all.push(Self { workload, asked: first_asked(workload) });
-            let is_contact = |r: &&Row| (r.workload(), r.backend(), r.asked()) == (workload, "tilesat", "contact");
-            if rows.iter().any(|r| is_contact(&r)) {
-                all.push(Self { workload, asked: "contact" });
+            for asked in ["contact", "distance"] {
+                let is_ours = |r: &Row| (r.workload(), r.backend(), r.asked()) == (workload, "tilesat", asked);
+                if rows.iter().any(is_ours) {
+                    all.push(Self { workload, asked });
+                }
             }
         }
         all

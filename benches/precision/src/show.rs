@@ -111,6 +111,8 @@ wrong answers against instructions, and the largest error in those that end in `
   that they cross. Textbook circles move in steps.
 - **Textbook contacts** have no case for circles without a radius: it is not rounding. These, and
   boxes without width, which Box2D's manual excludes, occur from `within 2 raw of touching` on.
+- **Convex pairs**: floats get the same shapes, because boxes and capsules point along Pythagorean
+  triples. A `distance` is wrong if it is a raw unit off.
 - `overlaps`, `would hit`: yes or no, of Box2D, Chipmunk2D and ncollide2d by a contact. `contact`:
   depth and normal. `contact (lazy)`: neither yet.
 - **Box2D, Chipmunk2D**: calls cross a language border without link-time optimisation, so none is

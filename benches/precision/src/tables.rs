@@ -1,7 +1,7 @@
 //! Tables of the page, as Markdown: a line per question, a column per backend. The rows' file has
 //! all classes.
 
-use crate::question::{Question, usual_class};
+use crate::question::{Question, is_shown, usual_class};
 use crate::record::Row;
 use std::fmt::Write;
 
@@ -100,22 +100,26 @@ pub fn summary<const N: usize>(
     table("usual class", &names, &Question::all(rows).into_iter().map(line).collect::<Vec<_>>())
 }
 
-/// The largest error of all classes, and for times the number of late ones.
+/// The largest error of all classes, and for times the number of late ones. A line per backend:
+/// there are more questions than backends.
 pub fn errors(rows: &[Row]) -> String {
-    let mut lines = Vec::new();
-    for question in Question::all(rows).into_iter().filter(|q| !["overlaps", "pairs", "build"].contains(&q.asked)) {
-        let cells = answers(rows, question, usual_class(question.workload)).map(|usual| {
-            let usual = usual?;
-            let same =
-                |r: &&Row| (r.workload(), r.backend(), r.asked()) == (usual.workload(), usual.backend(), usual.asked());
-            let largest = |value: fn(&Row) -> Option<f64>| rows.iter().filter(same).filter_map(value).reduce(f64::max);
-            let late = largest(|r| Some(r.get("late")? * 100.0 / r.get("hits").filter(|n| *n > 0.0)?));
-            let late = late.map(|share| format!("; {}", short(share))).unwrap_or_default();
-            Some(format!("{}{late}", short(largest(|r| r.get("max_px"))?)))
-        });
-        lines.push((question.name(), cells.to_vec()));
-    }
-    table("px; late in a hundred hits", &NAMES, &lines)
+    let questions: Vec<_> = Question::all(rows);
+    let questions: Vec<_> = questions.iter().filter(|q| !["overlaps", "pairs", "build"].contains(&q.asked)).collect();
+    let cell = |question: &Question<'_>, column: usize| {
+        let usual = answers(rows, *question, usual_class(question.workload))[column]?;
+        let same =
+            |r: &&Row| (r.workload(), r.backend(), r.asked()) == (usual.workload(), usual.backend(), usual.asked());
+        let largest = |value: fn(&Row) -> Option<f64>| rows.iter().filter(same).filter_map(value).reduce(f64::max);
+        let late = largest(|r| Some(r.get("late")? * 100.0 / r.get("hits").filter(|n| *n > 0.0)?));
+        let late = late.map(|share| format!("; {}", short(share))).unwrap_or_default();
+        Some(format!("{}{late}", short(largest(|r| r.get("max_px"))?)))
+    };
+    let line = |column: usize| questions.iter().map(|q| cell(q, column)).collect();
+    let lines: Vec<(String, Vec<_>)> =
+        NAMES.iter().enumerate().map(|(i, name)| ((*name).to_owned(), line(i))).collect();
+    let names: Vec<String> = questions.iter().map(|q| q.name()).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    table("px; late in a hundred hits", &names, &lines)
 }
 
 /// Frames of moving bodies: how many end in the solid, how deep, and the other faults.
@@ -162,7 +166,7 @@ pub fn classes<'a>(rows: &[Row], workloads: impl Iterator<Item = &'a str>) -> St
     let mut lines = Vec::new();
     for workload in workloads {
         let question = Question { workload, asked: crate::question::first_asked(workload) };
-        for class in question.classes(rows) {
+        for class in question.classes(rows).into_iter().filter(|class| is_shown(class)) {
             let cells = answers(rows, question, class).map(|row| {
                 let row = row?;
                 let wrong = row.wrong_per_million().filter(|n| *n > 0.0);

@@ -6,7 +6,7 @@
 //! corner.
 
 use super::exit::over;
-use super::place::Place;
+use super::short_place::place_of;
 use super::walk::{Core, PolygonSide, SideWalk};
 use crate::num::{Axis, Raw, Toi, less128, mul64, umul};
 use crate::query::cast::kernel::{Course, Moment};
@@ -47,7 +47,7 @@ pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<ConvexGate> {
     let radius = a.radius.wrapping_add(b.radius);
     if radius == 0 {
         sharp(a, b, d).map(ConvexGate::Edge)
-    } else if Place::of(a, b).within::<false>(radius) {
+    } else if place_of(a, b).within::<false>(radius) {
         Course::Inside
     } else {
         rounded(a, b, radius, d).map_or(Course::Free, Course::Meets)

@@ -1,7 +1,9 @@
 //! What separated two shapes last: asked first, it mostly still does.
 
 use super::each_side;
-use super::place::{Place, corners_meet, sharp};
+use super::meets::corners_meet;
+use super::place::{Place, sharp};
+use super::short_place::place_of;
 use super::short_sides::shortly;
 use super::walk::{Core, Corner, PolygonSide, turn};
 use crate::num::{Raw, SPLIT, less128, mul64, sqr64, usqr};
@@ -107,7 +109,7 @@ pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: &(Aabb, Aabb), last: &mu
             Err(side) => side.as_ref().map(Separation::side),
         }
     } else {
-        match Place::of(a, b) {
+        match place_of(a, b) {
             place if place.within::<false>(radius) => return true,
             Place::Side(side, _) => Some(Separation::side(&side)),
             Place::Corner(corner) => Some(Separation::corners(&corner)),

@@ -13,12 +13,14 @@ mod exit;
 mod face;
 mod hint;
 mod manifold;
+mod meets;
 mod near;
 mod nearness;
 mod place;
 mod point;
 mod ray;
 mod round;
+mod short_place;
 mod short_sides;
 mod walk;
 
@@ -33,10 +35,11 @@ use crate::num::{Fx, LONG, Raw, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use boxes::Parallelogram;
 use exit::Exit;
-use place::{Place, capsules_meet, meets_in};
+use meets::{capsules_meet, meets_in};
+use short_place::place_of;
 
+pub(crate) use meets::meets;
 pub(crate) use near::between;
-pub(crate) use place::meets;
 pub(crate) use round::ArcCell;
 pub(crate) use walk::Core;
 
@@ -213,7 +216,7 @@ macro_rules! pair {
             #[inline]
             fn distance(&self, b: &$b) -> Fx {
                 with_cores!(self, b, |a, b| {
-                    from_border(Place::of(a, b).distance(), a.radius.wrapping_add(b.radius))
+                    from_border(place_of(a, b).distance(), a.radius.wrapping_add(b.radius))
                 })
             }
         }

@@ -4,13 +4,14 @@
 use super::exit::normal;
 use super::face::{Facing, face};
 use super::place::Place;
+use super::short_place::place_of;
 use super::walk::{Core, PolygonSide};
 use crate::num::{Axis, Raw, toward};
 use crate::query::closest::on_segment;
 
 /// A point of A and one of B, where they do not touch.
 pub(super) fn closest_points(a: Core<'_>, b: Core<'_>) -> Option<(Raw, Raw)> {
-    let place = Place::of(a, b);
+    let place = place_of(a, b);
     if place.within::<true>(a.radius.wrapping_add(b.radius)) {
         return None;
     }
@@ -30,7 +31,7 @@ pub(super) fn closest_points(a: Core<'_>, b: Core<'_>) -> Option<(Raw, Raw)> {
 /// The direction from A to B between the points of their cores that are nearest to each other: the
 /// one that leaves most room. A side's is its normal, of length one along x and y.
 pub(crate) fn between(a: Core<'_>, b: Core<'_>) -> Option<Axis> {
-    match Place::of(a, b) {
+    match place_of(a, b) {
         Place::Inside => None,
         Place::Corner(corner) => Some(Axis::new(corner.at.x, corner.at.y).reversed()),
         Place::Side(side, _) if side.of_a => Some(a.facing_normal(side.a).reversed()),

@@ -1,7 +1,7 @@
 //! A shape and a point that may be anywhere, and whether a shape holds another one.
 
 use super::face::face;
-use super::place::meets;
+use super::meets::meets;
 use super::walk::Core;
 use crate::num::{Fx, Raw, Vec2, check_coordinate, less128, mul64, sqr64, toward, usqr};
 use crate::query::closest::{Square, from_border, on_disc, on_segment, to_segment};

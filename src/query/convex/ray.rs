@@ -4,7 +4,7 @@
 //! differences: products of a side with either stay below 2^62, as in a cast.
 
 use super::cast::{ConvexGate, inward, is_earlier, straight};
-use super::place::Place;
+use super::short_place::place_of;
 use super::walk::{Core, PolygonSide, SideWalk};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, less128, mul64, sqr64};
@@ -28,7 +28,7 @@ pub(super) fn cast_ray(
             [a, b] => return Ok(meet_segment(o, d, Raw::of(*a), Raw::of(*b))),
             _ => sharp(eye, shape, d),
         }
-    } else if Place::of(eye, shape).within::<false>(shape.radius) {
+    } else if place_of(eye, shape).within::<false>(shape.radius) {
         Err(Within)
     } else {
         Ok(rounded(eye, shape, d))

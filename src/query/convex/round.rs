@@ -3,7 +3,8 @@
 //! Both are seen from the arc's centre, with the quarter in the positive quadrant. Points are below
 //! 2^31 there, as levels may be shifted: products are below 2^62.
 
-use super::place::{meets, sharp};
+use super::meets::meets;
+use super::place::sharp;
 use super::walk::Core;
 use crate::num::{Raw, Vec2, imul, less128, mul64, sqr64, usqr};
 use crate::query::meet::in_disc;

@@ -45,7 +45,7 @@ pub fn frames<N: FromStr>(default: N) -> N {
 }
 
 /// The greatest common divisor, not negative.
-pub(crate) fn gcd(a: i64, b: i64) -> i64 {
+pub fn gcd(a: i64, b: i64) -> i64 {
     if b == 0 { a.abs() } else { gcd(b, a % b) }
 }
 

@@ -4,14 +4,13 @@ pub mod backends;
 pub mod classes;
 pub mod truth;
 
-use crate::callgrind;
-use crate::job::Job;
+use crate::each::{self, Judge};
 use crate::pairs;
 use crate::record::Row;
-use crate::run::{Sizes, time};
+use crate::run::Sizes;
 use classes::{CLASSES, KINDS};
 use tilesat_judge::oracle::figure::Kind;
-use truth::{Answer, Truth, judge};
+use truth::{Truth, judge};
 
 pub fn name(kinds: (Kind, Kind)) -> String {
     format!("cast: {}", pairs::name(kinds))
@@ -23,17 +22,8 @@ pub fn measure(sizes: &Sizes, rows: &mut Vec<Row>) {
         let list = backends::all(kinds);
         for class in CLASSES {
             let cases = class.cases(kinds, sizes.casts);
-            eprintln!("{}, {}: {} casts", name(kinds), class.name(), cases.len());
-            let truths: Vec<Truth> = cases.iter().map(Truth::new).collect();
-            let from = rows.len();
-            let mut jobs: Vec<Box<dyn Job<Answer>>> = Vec::new();
-            for backend in &list.0 {
-                let mut row = Row::new(&name(kinds), class.name(), backend.name, backend.asked);
-                judge(&mut row, &truths, &(backend.make)(&cases).answers(), backend.format);
-                jobs.push((backend.make)(&cases[..sizes.timed]));
-                rows.push(row);
-            }
-            time(&mut rows[from..], &mut jobs, 1, sizes);
+            let judge = Judge { truth: Truth::new, judge };
+            each::measure((&name(kinds), class.name()), &list, (&cases, &judge), sizes, rows);
         }
     }
 }
@@ -43,13 +33,7 @@ pub fn count(sizes: &Sizes) {
     for kinds in KINDS {
         let list = backends::all(kinds);
         for class in CLASSES {
-            let cases = class.cases(kinds, sizes.counted);
-            for backend in &list.0 {
-                let mut job = (backend.make)(&cases);
-                let label =
-                    [&name(kinds), class.name(), backend.name, backend.asked, &cases.len().to_string()].join("|");
-                callgrind::instrumented(|| callgrind::count(&label, || job.pass()));
-            }
+            each::count((&name(kinds), class.name()), &list, &class.cases(kinds, sizes.counted));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The library's goals, and the rows that miss them.
 
+mod convex;
 mod micro;
 pub mod peers;
 
@@ -128,6 +129,7 @@ fn goals(rows: &[Row]) -> Vec<Goal> {
             ours(rows, "ray").cloned(),
             |_, r| r.backend() == "plain integer DDA",
         ),
+        convex::goal(rows),
     ]
 }
 

@@ -28,12 +28,12 @@ pub fn all(kinds: (Kind, Kind)) -> List<Pair, Answer> {
 fn library(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
     use tilesat::{Aabb, Circle, Segment};
     match kinds {
-        (Kind::Circle, Kind::Circle) => ours::pairs::<Circle, Circle>(list),
-        (Kind::Circle, Kind::Aabb) => ours::pairs::<Circle, Aabb>(list),
-        (Kind::Circle, Kind::Segment) => ours::pairs::<Circle, Segment>(list),
-        (Kind::Aabb, Kind::Aabb) => ours::pairs::<Aabb, Aabb>(list),
-        (Kind::Segment, Kind::Aabb) => ours::pairs::<Segment, Aabb>(list),
-        (Kind::Segment, Kind::Segment) => ours::pairs::<Segment, Segment>(list),
+        (Kind::Circle, Kind::Circle) => ours::pairs::<_, Circle, Circle>(list),
+        (Kind::Circle, Kind::Aabb) => ours::pairs::<_, Circle, Aabb>(list),
+        (Kind::Circle, Kind::Segment) => ours::pairs::<_, Circle, Segment>(list),
+        (Kind::Aabb, Kind::Aabb) => ours::pairs::<_, Aabb, Aabb>(list),
+        (Kind::Segment, Kind::Aabb) => ours::pairs::<_, Segment, Aabb>(list),
+        (Kind::Segment, Kind::Segment) => ours::pairs::<_, Segment, Segment>(list),
         _ => {}
     }
 }
@@ -53,27 +53,27 @@ fn unfiltered(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
 fn textbook<S: Named>(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
     match kinds {
         (Kind::Circle, Kind::Circle) => {
-            overlaps::<S, Circle<S>, Circle<S>>(list, pair::circle_circle);
-            contact::<S, Circle<S>, Circle<S>>(list, pair::contact_circle_circle);
+            overlaps::<_, S, Circle<S>, Circle<S>>(list, pair::circle_circle);
+            contact::<_, S, Circle<S>, Circle<S>>(list, pair::contact_circle_circle);
         }
         (Kind::Circle, Kind::Aabb) => {
-            overlaps::<S, Circle<S>, Aabb<S>>(list, pair::circle_aabb);
-            contact::<S, Circle<S>, Aabb<S>>(list, pair::contact_circle_aabb);
+            overlaps::<_, S, Circle<S>, Aabb<S>>(list, pair::circle_aabb);
+            contact::<_, S, Circle<S>, Aabb<S>>(list, pair::contact_circle_aabb);
         }
         (Kind::Circle, Kind::Segment) => {
-            overlaps::<S, Circle<S>, Segment<S>>(list, pair::circle_segment);
-            contact::<S, Circle<S>, Segment<S>>(list, pair::contact_circle_segment);
+            overlaps::<_, S, Circle<S>, Segment<S>>(list, pair::circle_segment);
+            contact::<_, S, Circle<S>, Segment<S>>(list, pair::contact_circle_segment);
         }
         (Kind::Aabb, Kind::Aabb) => {
-            overlaps::<S, Aabb<S>, Aabb<S>>(list, pair::aabb_aabb);
-            contact::<S, Aabb<S>, Aabb<S>>(list, pair::contact_aabb_aabb);
+            overlaps::<_, S, Aabb<S>, Aabb<S>>(list, pair::aabb_aabb);
+            contact::<_, S, Aabb<S>, Aabb<S>>(list, pair::contact_aabb_aabb);
         }
         (Kind::Segment, Kind::Aabb) => {
-            overlaps::<S, Segment<S>, Aabb<S>>(list, |a, b| pair::aabb_segment(b, a));
-            contact::<S, Segment<S>, Aabb<S>>(list, |a, b| pair::contact_aabb_segment(b, a));
+            overlaps::<_, S, Segment<S>, Aabb<S>>(list, |a, b| pair::aabb_segment(b, a));
+            contact::<_, S, Segment<S>, Aabb<S>>(list, |a, b| pair::contact_aabb_segment(b, a));
         }
         // No textbook defines a contact of two lines.
-        (Kind::Segment, Kind::Segment) => overlaps::<S, Segment<S>, Segment<S>>(list, pair::segment_segment),
+        (Kind::Segment, Kind::Segment) => overlaps::<_, S, Segment<S>, Segment<S>>(list, pair::segment_segment),
         _ => {}
     }
 }

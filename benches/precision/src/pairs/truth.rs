@@ -27,9 +27,12 @@ pub struct Truth {
 
 impl Truth {
     pub fn new((a, b): &Pair) -> Self {
-        let exact = Measure::new(a, b);
+        Self::of(&Measure::new(a, b))
+    }
+
+    pub fn of(exact: &Measure) -> Self {
         let overlaps = exact.overlaps();
-        let depth = if overlaps { depth(&exact) } else { (0, 0.0) };
+        let depth = if overlaps { depth(exact) } else { (0, 0.0) };
         Self { overlaps, touches: exact.touches(), depth }
     }
 
@@ -53,7 +56,7 @@ fn depth(exact: &Measure) -> (i64, f64) {
 }
 
 /// The square root of a fraction: a whole number and a rest, good to 16 digits of the rest.
-fn root(square: Fraction) -> (i64, f64) {
+pub fn root(square: Fraction) -> (i64, f64) {
     let near = (float(square.num) / float(square.den)).sqrt();
     let whole = near as i64;
     // s - w = (s^2 - w^2) / (s + w), and s^2 - w^2 is exact.

@@ -59,7 +59,7 @@ fn relative(a: b2Vec2, b: b2Vec2) -> b2Transform {
 }
 
 /// The deepest of its points. It also makes points for shapes that are only near.
-fn answer(m: &b2LocalManifold) -> Answer {
+pub fn answer(m: &b2LocalManifold) -> Answer {
     let deepest = m.points.iter().take(m.pointCount as usize).map(|p| p.separation).reduce(f32::min);
     match deepest {
         Some(s) if s <= 0.0 => Answer { hit: true, depth: Some(f64::from(-s)) },

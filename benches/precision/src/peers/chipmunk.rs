@@ -21,7 +21,7 @@ pub fn vector((x, y): (i64, i64)) -> cpVect {
     cpv(length(x as f64), length(y as f64))
 }
 
-const HERE: cpTransform = cpTransform { a: 1.0, b: 0.0, c: 0.0, d: 1.0, tx: 0.0, ty: 0.0 };
+pub const HERE: cpTransform = cpTransform { a: 1.0, b: 0.0, c: 0.0, d: 1.0, tx: 0.0, ty: 0.0 };
 
 /// A shape of the library at its position, as after a step.
 pub struct Shape(pub *mut cpShape);
@@ -41,19 +41,25 @@ pub fn body() -> *mut cpBody {
 impl Shape {
     pub fn of(figure: &Figure) -> Self {
         let body = body();
-        // SAFETY: a new shape of a body that is never freed; then its cache is filled.
+        // SAFETY: a new shape of a body that is never freed.
         unsafe {
-            let shape = match *figure {
+            Self::cached(match *figure {
                 Figure::Circle { centre, radius } => cpCircleShapeNew(body, length(radius as f64), vector(centre)),
                 Figure::Segment { a, b } => cpSegmentShapeNew(body, vector(a), vector(b), 0.0),
                 Figure::Aabb { min, max } => {
                     let (lo, hi) = (vector(min), vector(max));
                     cpBoxShapeNew2(body, Struct_cpBB { l: lo.x, b: lo.y, r: hi.x, t: hi.y }, 0.0)
                 }
-            };
-            cpShapeUpdate(shape, HERE);
-            Self(shape)
+            })
         }
+    }
+
+    /// # Safety
+    /// It is a new shape of [`body`].
+    pub unsafe fn cached(shape: *mut cpShape) -> Self {
+        // SAFETY: a valid shape, which nobody else has.
+        unsafe { cpShapeUpdate(shape, HERE) };
+        Self(shape)
     }
 }
 
@@ -64,7 +70,7 @@ impl Drop for Shape {
     }
 }
 
-fn answer(set: &cpContactPointSet) -> Answer {
+pub fn answer(set: &cpContactPointSet) -> Answer {
     let deepest = set.points.iter().take(set.count as usize).map(|p| p.distance).reduce(f64::min);
     Answer { hit: deepest.is_some(), depth: deepest.map(|d| -d) }
 }

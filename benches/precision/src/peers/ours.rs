@@ -1,7 +1,6 @@
 //! The library, by its public interface, as a game calls it.
 
 use crate::job::{Format, List};
-use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
 use tilesat::prelude::*;
 use tilesat::{Aabb, Circle, Contact, Fx, Segment, UnitVec2, Vec2};
@@ -10,8 +9,8 @@ use tilesat_judge::oracle::figure::Figure;
 pub const NAME: &str = "tilesat";
 
 /// A shape from a figure that is one.
-pub trait Shape: 'static {
-    fn of(figure: &Figure) -> Self;
+pub trait Shape<F = Figure>: 'static {
+    fn of(figure: &F) -> Self;
 }
 
 pub fn vec2((x, y): (i64, i64)) -> Vec2 {
@@ -46,12 +45,12 @@ pub fn px(v: Fx) -> f64 {
 /// The parts of a contact that a game uses at once.
 type Full = Option<(Fx, UnitVec2)>;
 
-pub fn pairs<A, B>(list: &mut List<Pair, Answer>)
+pub fn pairs<F: 'static, A, B>(list: &mut List<(F, F), Answer>)
 where
-    A: Shape + Overlaps<B> + Contacts<B>,
-    B: Shape,
+    A: Shape<F> + Overlaps<B> + Contacts<B>,
+    B: Shape<F>,
 {
-    let shapes = |(a, b): &Pair| (A::of(a), B::of(b));
+    let shapes = |(a, b): &(F, F)| (A::of(a), B::of(b));
     list.add((NAME, "overlaps", Format::RAW), shapes, |(a, b)| a.overlaps(b), |&hit| Answer { hit, depth: None });
     // Kept as it is. Those who need depth and normal compute them.
     list.add(

@@ -28,11 +28,11 @@ macro_rules! parry {
 
             /// A shape and its position: the middle of a ball or box, and the origin for a segment,
             /// which is a wall.
-            pub trait Placed: Shape + Sized {
-                fn of(figure: &Figure) -> (Pose, Self);
+            pub trait Placed<F = Figure>: Shape + Sized {
+                fn of(figure: &F) -> (Pose, Self);
             }
 
-            fn at(p: Vector) -> Pose {
+            pub fn at(p: Vector) -> Pose {
                 Pose::translation(p.x, p.y)
             }
 
@@ -71,20 +71,20 @@ macro_rules! parry {
                 Answer { hit: c.is_some(), depth: c.map(|c| -f64::from(c.dist)) }
             }
 
-            fn of_yes(yes: &bool) -> Answer {
+            pub fn of_yes(yes: &bool) -> Answer {
                 Answer { hit: *yes, depth: None }
             }
 
             type Placement<T> = (Pose, T);
 
-            fn shapes<A: Placed, B: Placed>((a, b): &Pair) -> (Placement<A>, Placement<B>) {
+            fn shapes<F, A: Placed<F>, B: Placed<F>>((a, b): &(F, F)) -> (Placement<A>, Placement<B>) {
                 (A::of(a), B::of(b))
             }
 
-            fn general<A: Placed, B: Placed>(list: &mut List<Pair, Answer>) {
+            pub fn general<F: 'static, A: Placed<F>, B: Placed<F>>(list: &mut List<(F, F), Answer>) {
                 list.add(
                     ($general, "overlaps", FORMAT),
-                    shapes::<A, B>,
+                    shapes::<F, A, B>,
                     |((p, a), (q, b))| {
                         query::intersection_test(p, a, q, b).is_ok_and(|i: ShapeIntersection| i.intersecting)
                     },
@@ -92,32 +92,32 @@ macro_rules! parry {
                 );
                 list.add(
                     ($general, "contact", FORMAT),
-                    shapes::<A, B>,
+                    shapes::<F, A, B>,
                     |((p, a), (q, b))| query::contact(p, a, q, b, 0.0).ok().flatten(),
                     of_contact,
                 );
             }
 
             /// Nothing rotates: the position of A relative to B is a plain difference.
-            fn seen(p: &Pose, q: &Pose) -> Pose {
+            pub fn seen(p: &Pose, q: &Pose) -> Pose {
                 Pose::from_translation(p.translation - q.translation)
             }
 
-            fn direct<A: Placed, B: Placed>(
-                list: &mut List<Pair, Answer>,
-                overlaps: impl Fn(&Pose, &A, &B) -> bool + Copy + 'static,
-                contact: impl Fn(&Pose, &A, &B) -> Option<Contact> + Copy + 'static,
+            pub fn direct<F: 'static, A: Placed<F>, B: Placed<F>>(
+                list: &mut List<(F, F), Answer>,
+                overlaps: impl Fn(&Pose, &A, &Pose, &B) -> bool + Copy + 'static,
+                contact: impl Fn(&Pose, &A, &Pose, &B) -> Option<Contact> + Copy + 'static,
             ) {
                 list.add(
                     ($direct, "overlaps", FORMAT),
-                    shapes::<A, B>,
-                    move |((p, a), (q, b))| overlaps(&seen(p, q), a, b),
+                    shapes::<F, A, B>,
+                    move |((p, a), (q, b))| overlaps(p, a, q, b),
                     of_yes,
                 );
                 list.add(
                     ($direct, "contact", FORMAT),
-                    shapes::<A, B>,
-                    move |((p, a), (q, b))| contact(&seen(p, q), a, b),
+                    shapes::<F, A, B>,
+                    move |((p, a), (q, b))| contact(p, a, q, b),
                     of_contact,
                 );
             }
@@ -152,39 +152,39 @@ macro_rules! parry {
             pub fn pairs(list: &mut List<Pair, Answer>, kinds: (Kind, Kind)) {
                 match kinds {
                     (Kind::Circle, Kind::Circle) => {
-                        general::<Ball, Ball>(list);
-                        direct::<Ball, Ball>(
+                        general::<_, Ball, Ball>(list);
+                        direct::<_, Ball, Ball>(
                             list,
-                            |p, a, b| details::intersection_test_ball_ball(p.translation, a, b),
-                            |p, a, b| details::contact_ball_ball(p, b, a, 0.0),
+                            |p, a, q, b| details::intersection_test_ball_ball(seen(p, q).translation, a, b),
+                            |p, a, q, b| details::contact_ball_ball(&seen(p, q), b, a, 0.0),
                         );
                     }
                     (Kind::Circle, Kind::Aabb) => {
-                        general::<Ball, Cuboid>(list);
-                        direct::<Ball, Cuboid>(
+                        general::<_, Ball, Cuboid>(list);
+                        direct::<_, Ball, Cuboid>(
                             list,
-                            |p, a, b| details::intersection_test_point_query_ball(p, b, a).intersecting,
-                            |p, a, b| details::contact_convex_polyhedron_ball(p, b, a, 0.0),
+                            |p, a, q, b| details::intersection_test_point_query_ball(&seen(p, q), b, a).intersecting,
+                            |p, a, q, b| details::contact_convex_polyhedron_ball(&seen(p, q), b, a, 0.0),
                         );
                     }
                     (Kind::Circle, Kind::Segment) => {
-                        general::<Ball, Segment>(list);
-                        direct::<Ball, Segment>(
+                        general::<_, Ball, Segment>(list);
+                        direct::<_, Ball, Segment>(
                             list,
-                            |p, a, b| details::intersection_test_point_query_ball(p, b, a).intersecting,
-                            |p, a, b| details::contact_convex_polyhedron_ball(p, b, a, 0.0),
+                            |p, a, q, b| details::intersection_test_point_query_ball(&seen(p, q), b, a).intersecting,
+                            |p, a, q, b| details::contact_convex_polyhedron_ball(&seen(p, q), b, a, 0.0),
                         );
                     }
                     (Kind::Aabb, Kind::Aabb) => {
-                        general::<Cuboid, Cuboid>(list);
+                        general::<_, Cuboid, Cuboid>(list);
                         boxes(list);
                     }
                     (Kind::Segment, Kind::Aabb) => {
-                        general::<Segment, Cuboid>(list);
+                        general::<_, Segment, Cuboid>(list);
                         segment_and_box(list);
                     }
                     (Kind::Segment, Kind::Segment) => {
-                        general::<Segment, Segment>(list);
+                        general::<_, Segment, Segment>(list);
                         segments(list);
                     }
                     _ => {}

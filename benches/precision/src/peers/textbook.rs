@@ -1,7 +1,6 @@
 //! The textbook's formulas in four number formats.
 
 use crate::job::{Format, List};
-use crate::pairs::classes::Pair;
 use crate::pairs::truth::Answer;
 use tilesat_judge::oracle::figure::Figure;
 use tilesat_textbook::Scalar;
@@ -33,8 +32,8 @@ impl Named for tilesat_textbook::Wide {
     const FORMAT: Format = Format::RAW;
 }
 
-pub trait Shape: 'static {
-    fn of(figure: &Figure) -> Self;
+pub trait Shape<F = Figure>: 'static {
+    fn of(figure: &F) -> Self;
 }
 
 pub fn vector<S: Scalar>((x, y): (i64, i64)) -> Vector<S> {
@@ -63,21 +62,21 @@ impl<S: Scalar> Shape for Segment<S> {
 }
 
 /// A yes or no of some shapes.
-pub fn overlaps<S: Named, A: Shape, B: Shape>(
-    list: &mut List<Pair, Answer>,
+pub fn overlaps<F: 'static, S: Named, A: Shape<F>, B: Shape<F>>(
+    list: &mut List<(F, F), Answer>,
     ask: impl Fn(&A, &B) -> bool + Copy + 'static,
 ) {
-    let shapes = |(a, b): &Pair| (A::of(a), B::of(b));
+    let shapes = |(a, b): &(F, F)| (A::of(a), B::of(b));
     let answer = |&hit: &bool| Answer { hit, depth: None };
     list.add((S::NAME, "overlaps", S::FORMAT), shapes, move |(a, b)| ask(a, b), answer);
 }
 
 /// Depth and normal of some shapes.
-pub fn contact<S: Named, A: Shape, B: Shape>(
-    list: &mut List<Pair, Answer>,
+pub fn contact<F: 'static, S: Named, A: Shape<F>, B: Shape<F>>(
+    list: &mut List<(F, F), Answer>,
     ask: impl Fn(&A, &B) -> Option<Contact<S>> + Copy + 'static,
 ) {
-    let shapes = |(a, b): &Pair| (A::of(a), B::of(b));
+    let shapes = |(a, b): &(F, F)| (A::of(a), B::of(b));
     let answer = |c: &Option<Contact<S>>| Answer { hit: c.is_some(), depth: c.map(|c| c.depth.px()) };
     list.add((S::NAME, "contact", S::FORMAT), shapes, move |(a, b)| ask(a, b), answer);
 }

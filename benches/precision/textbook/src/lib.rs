@@ -9,16 +9,19 @@
 #![no_std]
 
 pub mod broad;
+pub mod capsule;
 pub mod cast;
 pub mod cells;
 pub mod checksum;
 pub mod dda;
 pub mod exact;
 pub mod pair;
+pub mod polygon;
 mod scalar;
 pub mod shape;
 pub mod tile;
 pub mod tile_set;
+pub mod turned;
 pub mod walk;
 
 pub use scalar::{Q16, Scalar, Wide};

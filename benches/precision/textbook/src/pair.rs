@@ -60,7 +60,7 @@ pub fn segment_segment<S: Scalar>(a: &Segment<S>, b: &Segment<S>) -> bool {
 
 /// Two points `d` apart and the sum of the radii: nothing beyond it.
 #[inline]
-fn within<S: Scalar>(d: Vector<S>, r: S) -> Option<Contact<S>> {
+pub(crate) fn within<S: Scalar>(d: Vector<S>, r: S) -> Option<Contact<S>> {
     let square = d.dot(d);
     if square >= r * r {
         return None;
