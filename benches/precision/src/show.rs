@@ -97,7 +97,7 @@ wrong answers against instructions, and the largest error in those that end in `
   not, whichever suits the backend over a class, and a ray is right by one of the two. Walks over
   half-open cells are neither `on lines`, those of exact integers included: that is no rounding.
 - **Instructions**: callgrind. One call in a loop (about 6), with operands in memory and the whole
-  answer stored. Wrongly predicted branches do not count: ours for circle-AABB loses time by them.
+  answer stored. Wrongly predicted branches do not count: the times show them.
 - **Times** are in `results.csv`, for TIMED rows: others strayed, or their code has changed.
 - **Error**: of depths, and of times of impact as pixels of way. `late`: the share of all hits whose
   time is beyond the true one.

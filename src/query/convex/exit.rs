@@ -5,7 +5,7 @@ use super::each_side;
 use super::face::Facing;
 use super::nearness::{Nearness, order};
 use super::place::Place;
-use super::short_place::place_of;
+use super::short_place::short_place_of;
 use super::walk::{Core, Corner, PolygonSide, SideWalk};
 use crate::num::{Axis, Raw};
 use crate::query::contact::Contact;
@@ -23,7 +23,7 @@ impl Exit {
     #[inline]
     pub(super) fn of(a: Core<'_>, b: Core<'_>) -> Option<Self> {
         let radius = a.radius.wrapping_add(b.radius);
-        let place = if radius == 0 { Place::Inside } else { place_of(a, b) };
+        let place = if radius == 0 { Place::Inside } else { short_place_of(a, b) };
         if !place.within::<false>(radius) {
             return None;
         }

@@ -1,12 +1,12 @@
-//! Where the origin is relative to the sum of two shapes with few corners: what circles and capsules
-//! are about.
+//! Where the origin is relative to the sum of two shapes with few corners: the question of circles
+//! and capsules.
 
 use super::place::Place;
 use super::walk::{Core, Corner, PolygonSide};
-use crate::num::Raw;
+use crate::num::{Raw, SPLIT};
 
 /// [`Place::of`], which takes half of the instructions for two segments, and a third for a point.
-pub(super) fn place_of(a: Core<'_>, b: Core<'_>) -> Place {
+pub(super) fn short_place_of(a: Core<'_>, b: Core<'_>) -> Place {
     let place = match (a.corners.len(), b.corners.len()) {
         (2, 2) => of_segments(a, b),
         (2.., 1) => of_point(a, b, true),
@@ -14,6 +14,12 @@ pub(super) fn place_of(a: Core<'_>, b: Core<'_>) -> Place {
         _ => None,
     };
     place.unwrap_or_else(|| Place::of(a, b))
+}
+
+/// The same, for what levels and solids ask too: where a product is a call, these do without. They
+/// would gain 2 %, for 1 000 bytes in a game with planks.
+pub(super) fn place_of(a: Core<'_>, b: Core<'_>) -> Place {
+    if SPLIT { Place::of(a, b) } else { short_place_of(a, b) }
 }
 
 /// The nearest of the corners that are before sides of which the origin is not beside.

@@ -12,7 +12,7 @@ pub fn goal(rows: &[Row]) -> Goal {
         .flat_map(|asked| ours(rows, asked))
         .filter(|r| is_convex(r.workload()))
         .cloned();
-    let text = "at most the instructions of textbook f64, of parry2d and of Box2D, convex pairs";
+    let text = "at most the instructions of textbook f64, parry2d and Box2D, convex pairs";
     let others = |own: &Row, other: &Row| {
         let is_rival = ["textbook f64", "parry2d", "Box2D"].iter().any(|name| other.backend().starts_with(name));
         // A library's contact also answers yes or no.
