@@ -182,11 +182,11 @@ pub fn page(rows: &[Row]) -> String {
 const HEAD: &str = "
 ## One call for many
 
-Instructions per shape, of one shape against 10 000: a loop over a slice that the compiler sees
-whole, and columns of coordinates. tilesat's columns are `query::BoxColumns`, in blocks of 64. A
-trial is this benchmark's own code. Circles gain too little in columns for a type. In f32 they take
-half of ours. Casts and moves take another path for each body, so a call for 10 000 would be the
-same loop. Threads share a level without locks: `run.sh --threads` prints what they add.
+Instructions per shape, of one against 10 000: a loop over a slice that the compiler sees whole, and
+columns of coordinates. tilesat's columns are `query::BoxColumns`, in blocks of 64. A trial is this
+benchmark's own code. Circles gain too little in columns for a type. In f32 they take half of ours.
+Casts and moves take another path for each body, so a call for 10 000 would be the same loop.
+Threads share a level without locks: `run.sh --threads` prints what they add.
 
 | | tilesat | textbook f32 | textbook f64 |
 |---|--:|--:|--:|

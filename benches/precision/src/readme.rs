@@ -133,7 +133,7 @@ fn floats(rows: &[Row]) -> String {
          machine, and in the classes in which f64 is wrong. Those are, with errors in a million: {}. Its circles among \
          blocks are at most {} px deep. It is never wrong in: {}. Only among blocks, boxes that look at all columns and rows that they \
          cross are right in every format. They take {naive} instructions in naive Q16.16 and {double} in f64; ours takes {ours}. On a \
-         Cortex-M0 textbook f64 takes fewer instructions than tilesat in {}, f32 in {}, and naive Q16.16, right or wrong, in {}.",
+         Cortex-M0 textbook f64 takes fewer instructions than tilesat in {}, f32 in {}, and naive Q16.16, right or wrong, in {}. Convex pairs were not counted there.",
         wrong.collect::<Vec<_>>().join("; "),
         short(deepest.fold(0.0, f64::max)),
         right.join(", "),

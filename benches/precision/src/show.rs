@@ -47,13 +47,13 @@ pub fn all(results: &Path) -> Result<(), String> {
     page.push_str(&goals::page(&rows));
     page.push_str("\n## Cost and errors\n\nInstructions; wrong in a million; and the same in the class in which that answer is wrong most\noften, if that is another one. The last two columns: in how many classes the fastest of all others\ntakes fewer instructions, and where it is most. *Exact* counts only backends exact there.\n");
     page.push_str(&tables::summary(&rows, goals::peers::NAMES, |question| goals::peers::cells(&rows, question)));
-    page.push_str("\n## Errors of depths and times\n\nThe largest error of all classes, in px. For times also the percentage of late hits, at worst.\n");
+    page.push_str("\n## Errors of depths and times\n\nThe largest error of all classes, in px, of the way whose cost is shown; of times also % late. The\ngeneral contact of capsules in parry2d-f64 is at most 3.9e-4 px off.\n");
     page.push_str(&tables::errors(&rows));
     page.push_str(
         "\n## Frames of bodies that move\n\nPer million frames. `results.csv` has the same 7000 px from the origin.\n",
     );
     page.push_str(&tables::frames(&rows));
-    page.push_str("\n## Levels\n\nInstructions of the cheapest answer, and errors in a million. For circles, parry2d's tree of boxes\nis the cheapest. `Voxels` take 2 to 8 times as much, and up to 9277 casts in a million are wrong.\n");
+    page.push_str("\n## Levels\n\nInstructions of the cheapest answer, and errors in a million. Circles ask parry2d's tree of boxes:\n`Voxels` take 2 to 8 times as much, and up to 9277 casts in a million are wrong.\n");
     let levels = workloads(&rows).into_iter().filter(|w| w.contains("map") || w.starts_with("tiles"));
     page.push_str(&tables::classes(&rows, levels));
     page.push_str(&grids::page(&rows));
@@ -98,25 +98,27 @@ wrong answers against instructions, and the largest error in those that end in `
   half-open cells are neither `on lines`, those of exact integers included: that is no rounding.
 - **Instructions**: callgrind. One call in a loop (about 6), with operands in memory and the whole
   answer stored. Wrongly predicted branches do not count: the times show them.
-- **Times** are in `results.csv`, for TIMED rows: others strayed, or their code has changed.
-- **Error**: of depths, and of times of impact as pixels of way. `late`: the share of all hits whose
-  time is beyond the true one.
+- **Times** are in `results.csv`, for TIMED rows that the host counted.
+- **Error**: of depths; of times, as pixels of way. `late`: the share of hits after the true time.
 - **Moves**: a frame is wrong if it ends in the solid, even by a little, or tunnels. Also shown:
   ends deeper than 1/64 px and 1 px. A sequence of 32 frames counts until the body is lost: a pixel
   deep, or through a wall. Engines keep a gap to the solid. rapier2d has one polygon per tile.
-- **Pairs of boxes**: wrong if they overlap and are not reported. A frame moves all boxes and
-  reports all pairs. Motion is coherent. In `leap` classes, three in a hundred jump in each frame.
-- **f64** bodies are judged at the nearest 2^-25 px, boxes at 2^-24 px: no smaller overlap shows.
-- **Textbook boxes** among blocks look where they end, or, with `(columns)`, at all columns and rows
-  that they cross. Textbook circles move in steps.
+- **Pairs of boxes**: wrong if an overlap is not reported. A frame moves all boxes and reports all
+  pairs. Motion is coherent. In `leap` classes, three in a hundred jump in each frame. `f64` bodies
+  are judged at the nearest 2^-25 px, boxes at 2^-24 px: no smaller overlap shows.
+- **Textbook boxes** among blocks look where they end, or at all `(columns)` and rows that they
+  cross. Textbook circles move in steps.
 - **Textbook contacts** have no case for circles without a radius: it is not rounding. These, and
   boxes without width, which Box2D's manual excludes, occur from `within 2 raw of touching` on.
-- **Convex pairs**: floats get the same shapes, because boxes and capsules point along Pythagorean
-  triples. A `distance` is wrong if it is a raw unit off.
-- `overlaps`, `would hit`: yes or no, of Box2D, Chipmunk2D and ncollide2d by a contact. `contact`:
-  depth and normal. `contact (lazy)`: neither yet.
+- **Convex pairs**, on the host only: boxes and capsules point along Pythagorean triples, so corners
+  are whole. Box2D, parry2d, and textbook contacts, distances and circles round a box's cosine and
+  sine. Textbook directions and normals are made before the count, with their roots; tilesat's count
+  has all. A third of those `8000 px from the origin` nearly touch. Distances count to a raw unit.
+- `overlaps`, `would hit`: Box2D, Chipmunk2D and ncollide2d answer by a contact, Box2D convex pairs
+  also by its distance, and two segments by a ray. Some of `parry2d (special)` are put together here
+  from its functions. `contact`: depth and normal. `contact (lazy)`: neither yet.
 - **Box2D, Chipmunk2D**: calls cross a language border without link-time optimisation, so none is
-  inlined. Rust libraries have fat LTO. `b2AABB_Overlaps` and `cpBBIntersects` have no row: they are
-  inline in C headers, and no binding exports them. Textbook f32 and f64 compare the same numbers.
+  inlined. `b2AABB_Overlaps` and `cpBBIntersects` have no row: they are inline in C headers, and no
+  binding exports them. Textbook f32 and f64 compare the same numbers.
 
 ";

@@ -1,5 +1,5 @@
 //! Classes of pairs of convex shapes. Boxes and capsules point along Pythagorean triples. So their
-//! corners are whole numbers, and floats get the same shapes.
+//! corners are whole numbers, and floats get the same corners.
 
 use tilesat_judge::convex::generate::touch;
 use tilesat_judge::convex::shape::{Kind, Shape, hull, sum};
