@@ -17,13 +17,11 @@ pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
 /// The same. A caller that knows the bounding boxes, and that they meet, passes them.
 pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
-    if radius == 0 {
-        if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
-            return p.meets::<CLOSED>(&q);
-        }
-    }
     if radius != 0 {
         return corners_meet::<CLOSED>(a, b, radius) || place_of(a, b).within::<CLOSED>(radius);
+    }
+    if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
+        return p.meets::<CLOSED>(&q);
     }
     let settled = if SPLIT { boxes.and_then(|boxes| shortly(a, b, boxes)) } else { None };
     settled.unwrap_or_else(|| sharp::<CLOSED>(a, b).is_ok())

@@ -22,10 +22,10 @@ pub(super) fn place_of(a: Core<'_>, b: Core<'_>) -> Place {
     if SPLIT { Place::of(a, b) } else { short_place_of(a, b) }
 }
 
-/// The nearest of the corners that are before sides of which the origin is not beside.
-struct Nearest(Option<(u64, Corner)>);
+/// The nearest corner so far, at the ends of sides that the origin is before but not beside.
+struct NearestCorner(Option<(u64, Corner)>);
 
-impl Nearest {
+impl NearestCorner {
     /// The origin is before a side, at this height: the place if it is beside it.
     fn add(&mut self, side: &PolygonSide, height: u64, end: (usize, usize)) -> Option<Place> {
         let along = side.along();
@@ -50,7 +50,7 @@ impl Nearest {
 
 /// Without a walk. None for parallel segments, of which two sides are one, and where they touch.
 fn of_segments(a: Core<'_>, b: Core<'_>) -> Option<Place> {
-    let mut nearest = Nearest(None);
+    let mut nearest = NearestCorner(None);
     for (of, other, of_a) in [(a, b, true), (b, a, false)] {
         let from = of.corner(0);
         let edge = of.corner(1).sub(from);
@@ -79,7 +79,7 @@ fn of_segments(a: Core<'_>, b: Core<'_>) -> Option<Place> {
 
 /// The same of a polygon or a segment and a point. None where the point is on the border.
 fn of_point(polygon: Core<'_>, point: Core<'_>, of_a: bool) -> Option<Place> {
-    let (mut nearest, at) = (Nearest(None), point.corner(0));
+    let (mut nearest, at) = (NearestCorner(None), point.corner(0));
     let mut begin = polygon.before(0);
     let mut from = polygon.corner(begin);
     for (end, to) in polygon.corners.iter().enumerate() {

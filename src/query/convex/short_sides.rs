@@ -1,7 +1,7 @@
 //! Whether two polygons overlap, by the leading bits of their corners.
 //!
-//! For chips: each side against the corners of the other polygon, as on 64-bit, but with products
-//! of words. It settles nearly all pairs in a third of a walk around the sum.
+//! For cores on which a long product is a call: each side against the corners of the other polygon,
+//! with products of words. It settles nearly all pairs in a third of a walk around the sum.
 
 use super::boxes::{shift_to, short, short_cross, spread};
 use super::walk::Core;
