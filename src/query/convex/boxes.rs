@@ -1,9 +1,8 @@
 //! Whether two boxes in any direction overlap, and by which side they are nearest to apart.
 
-use super::nearness::Nearness;
+use super::nearness::{Least, Nearness};
 use super::walk::{Core, PolygonSide};
 use crate::num::{Raw, SPLIT, leading_zeros32};
-use core::cmp::Ordering;
 use core::ops::{Add, Sub};
 
 /// A shape with four corners and two directions: boxes, turned or not.
@@ -67,19 +66,16 @@ impl Nearest {
         let d = q.middle.sub(p.middle);
         let sides = [p.u, p.v, q.u, q.v];
         let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());
-        let mut best: Option<(Nearness, usize, Raw)> = None;
+        let mut best = Least::new();
         for (k, (side, margin)) in sides.into_iter().zip(margins).enumerate() {
             if margin <= 0 {
                 return Self::Apart;
             }
-            let near = Nearness::of(margin, side.len2());
-            match best.as_ref().map(|(least, ..)| near.cmp(least)) {
-                Some(None) => return Self::Unsure,
-                Some(Some(Ordering::Greater)) => {}
-                _ => best = Some((near, k, side)),
+            if !best.add(Nearness::of(margin, side.len2()), || (k, side)) {
+                return Self::Unsure;
             }
         }
-        let Some((_, k, side)) = best else { return Self::Unsure };
+        let Some((k, side)) = best.get() else { return Self::Unsure };
         let toward = side.cross(d);
         if toward == 0 {
             return Self::Unsure;

@@ -4,10 +4,9 @@
 //! a walk around the sum takes.
 
 use super::boxes::Nearest;
-use super::nearness::Nearness;
+use super::nearness::{Least, Nearness};
 use super::walk::{Core, PolygonSide};
 use crate::num::{Raw, SPLIT, Vec2};
-use core::cmp::Ordering;
 use core::mem::replace;
 
 /// Whether two shapes are polygons with few sides, on a core with such a product.
@@ -40,7 +39,7 @@ pub(super) fn meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
 /// The side of the sum that is nearest to the origin. Parallel sides are as near as each other, and
 /// one in the sum.
 pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Nearest {
-    let mut best: Option<(Nearness, PolygonSide)> = None;
+    let mut best = Least::new();
     for (of, other, of_a) in [(a, b, true), (b, a, false)] {
         let mut begin = of.before(0);
         let mut from = of.corner(begin);
@@ -60,17 +59,14 @@ pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Nearest {
             if height <= 0 {
                 return Nearest::Apart;
             }
-            let near = Nearness::of(height, edge.len2());
-            match best.as_ref().map(|(least, _)| near.cmp(least)) {
-                Some(None) => return Nearest::Unsure,
-                Some(Some(Ordering::Greater)) => {}
-                _ => {
-                    let (i, j, edge) = if of_a { (begin, farthest, edge) } else { (farthest, begin, edge.reversed()) };
-                    let from = a.corner(i).sub(b.corner(j));
-                    best = Some((near, PolygonSide { from, edge, a: i, b: j, of_a, of_b: !of_a }));
-                }
+            let is_surely = best.add(Nearness::of(height, edge.len2()), || {
+                let (i, j, edge) = if of_a { (begin, farthest, edge) } else { (farthest, begin, edge.reversed()) };
+                PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }
+            });
+            if !is_surely {
+                return Nearest::Unsure;
             }
         }
     }
-    best.map_or(Nearest::Unsure, |(_, side)| Nearest::Side(side))
+    best.get().map_or(Nearest::Unsure, Nearest::Side)
 }

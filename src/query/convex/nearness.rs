@@ -24,7 +24,7 @@ impl Nearness {
     }
 
     /// `None` where they are too near: five roundings of 2^-53 make up less than 2^-50.
-    pub(super) fn cmp(&self, rhs: &Self) -> Option<Ordering> {
+    fn cmp(&self, rhs: &Self) -> Option<Ordering> {
         const SHORT: f64 = 1.0 - 1.0 / (1u64 << 48) as f64;
         if self.0 * SHORT > rhs.0 {
             Some(Ordering::Greater)
@@ -63,7 +63,7 @@ impl Nearness {
     /// Squares are at least 2^14 and lengths 2^15, so products are in 2^29..2^32. A product lacks
     /// less than 5/8 of its 2^-12th: 2^-14 each for the height and for the square, 2^-15 for the
     /// length.
-    pub(super) const fn cmp(&self, rhs: &Self) -> Option<Ordering> {
+    const fn cmp(&self, rhs: &Self) -> Option<Ordering> {
         let (p, q) = (self.square.wrapping_mul(rhs.len2), rhs.square.wrapping_mul(self.len2));
         let apart = self.exponent.wrapping_sub(rhs.exponent);
         if apart > 3 {
@@ -79,6 +79,30 @@ impl Nearness {
         } else {
             None
         }
+    }
+}
+
+/// The nearest one so far of what is surely not as near as another.
+pub(super) struct Least<T>(Option<(Nearness, T)>);
+
+impl<T> Least<T> {
+    pub(super) const fn new() -> Self {
+        Self(None)
+    }
+
+    /// Whether the leading bits tell the next one from the nearest.
+    #[inline]
+    pub(super) fn add(&mut self, near: Nearness, value: impl FnOnce() -> T) -> bool {
+        match self.0.as_ref().map(|(least, _)| near.cmp(least)) {
+            Some(None) => return false,
+            Some(Some(Ordering::Greater)) => {}
+            _ => self.0 = Some((near, value())),
+        }
+        true
+    }
+
+    pub(super) fn get(self) -> Option<T> {
+        self.0.map(|(_, value)| value)
     }
 }
 
