@@ -209,6 +209,16 @@ impl Offset {
     }
 
     #[inline(always)]
+    pub(crate) const fn add(self, o: Self) -> Self {
+        Self { x: self.x.wrapping_add(o.x), y: self.y.wrapping_add(o.y) }
+    }
+
+    #[inline(always)]
+    pub(crate) const fn reversed(self) -> Self {
+        Self { x: self.x.wrapping_neg(), y: self.y.wrapping_neg() }
+    }
+
+    #[inline(always)]
     pub(crate) const fn dot(self, o: Self) -> i64 {
         self.x.wrapping_mul(o.x).wrapping_add(self.y.wrapping_mul(o.y))
     }

@@ -31,6 +31,18 @@ pub trait Convex: Sized {
         None
     }
 
+    /// Two half sides and the middle of a box in any direction; none of other shapes.
+    #[inline]
+    fn half_sides(&self) -> Option<[Raw; 3]> {
+        None
+    }
+
+    /// The middle of a circle; none of other shapes.
+    #[inline]
+    fn point(&self) -> Option<Raw> {
+        None
+    }
+
     /// The ends of what a segment is the core of; none of other shapes.
     #[inline]
     fn ends(&self) -> Option<[Raw; 2]> {
@@ -110,6 +122,11 @@ impl Convex for Circle {
     }
 
     #[inline]
+    fn point(&self) -> Option<Raw> {
+        Some(self.c())
+    }
+
+    #[inline]
     fn rounding(&self) -> i32 {
         self.r()
     }
@@ -181,6 +198,11 @@ impl Convex for OrientedBox {
         let (u, v, c) = (Raw::of(self.along()), Raw::of(self.across()), Raw::of(self.centre()));
         let is_plain = self.rounding() == 0 && !u.is_zero() && !v.is_zero();
         is_plain.then(|| [u, v, c].map(|p| p.add(p)))
+    }
+
+    #[inline]
+    fn half_sides(&self) -> Option<[Raw; 3]> {
+        Some([self.along(), self.across(), self.centre()].map(Raw::of))
     }
 
     #[inline]

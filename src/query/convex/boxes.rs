@@ -1,8 +1,11 @@
 //! Whether two boxes in any direction overlap, and by which side they are nearest to apart.
 
-use super::nearness::{Least, Nearness};
+use super::across::across;
+use super::nearness::{Least, Nearness, Unsure};
+use super::place::{NearestCorner, Place};
 use super::walk::{Core, PolygonSide};
 use crate::num::{Raw, SPLIT, leading_zeros32};
+use crate::query::contact::Contact;
 use core::ops::{Add, Sub};
 
 /// A shape with four corners and two directions: boxes, turned or not.
@@ -24,6 +27,14 @@ impl Parallelogram {
         let [p, q, r, s] = [p, q, r, s].map(Raw::of);
         let middle = p.add(r);
         (middle == q.add(s)).then(|| Self { u: q.sub(p), v: s.sub(p), middle })
+    }
+
+    /// One of the corners, counter-clockwise: twice that is an even sum.
+    const fn corner(&self, index: usize) -> Raw {
+        let (u, v) = (matches!(index, 1 | 2), matches!(index, 2 | 3));
+        let twice = if u { self.middle.add(self.u) } else { self.middle.sub(self.u) };
+        let twice = if v { twice.add(self.v) } else { twice.sub(self.v) };
+        Raw { x: twice.x >> 1, y: twice.y >> 1 }
     }
 
     /// Their sum is its own mirror image, so each two of its sides are one question: whether the
@@ -50,49 +61,80 @@ impl Parallelogram {
     }
 }
 
-/// The side of the sum of two boxes that is nearest to the origin.
-pub(super) enum Nearest {
-    Side(PolygonSide),
-    /// The boxes do not overlap.
-    Apart,
-    /// Another one is as near, or nearly.
-    Unsure,
+/// The side of the sum of two boxes that is nearest to the origin; none where they do not overlap,
+/// and an error where another side is as near, or nearly.
+///
+/// The margin across a side is twice the height of the nearer one of two opposite sides.
+pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<PolygonSide>, Unsure> {
+    let d = q.middle.sub(p.middle);
+    let sides = [p.u, p.v, q.u, q.v];
+    let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());
+    let mut best = Least::new();
+    for (k, (side, margin)) in sides.into_iter().zip(margins).enumerate() {
+        if margin <= 0 {
+            return Ok(None);
+        }
+        best.add(Nearness::of(margin, side.len2()), || (k, side))?;
+    }
+    let (k, side) = best.get()?;
+    let toward = side.cross(d);
+    if toward == 0 {
+        return Err(Unsure);
+    }
+    // No other side is parallel, or it would be as near.
+    Ok(Some(side_toward(p, q, (k, side), toward < 0).0))
 }
 
-impl Nearest {
-    /// Of two boxes with these outlines. The margin across a side is twice the height of the nearer
-    /// one of two opposite sides.
-    pub(super) fn of((a, p): (Core<'_>, &Parallelogram), (b, q): (Core<'_>, &Parallelogram)) -> Self {
-        let d = q.middle.sub(p.middle);
-        let sides = [p.u, p.v, q.u, q.v];
-        let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());
-        let mut best = Least::new();
-        for (k, (side, margin)) in sides.into_iter().zip(margins).enumerate() {
-            if margin <= 0 {
-                return Self::Apart;
+/// Where the origin is relative to the sum of two boxes; none where sides of both make up one.
+pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<Place> {
+    let d = q.middle.sub(p.middle);
+    let sides = [p.u, p.v, q.u, q.v];
+    let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());
+    let mut nearest = NearestCorner::none();
+    for (k, (side, margin)) in sides.into_iter().zip(margins).enumerate() {
+        if margin <= 0 {
+            let others = if k < 2 { [q.u, q.v] } else { [p.u, p.v] };
+            if others.iter().any(|other| side.cross(*other) == 0) {
+                return None;
             }
-            if !best.add(Nearness::of(margin, side.len2()), || (k, side)) {
-                return Self::Unsure;
+            let (side, end) = side_toward(p, q, (k, side), side.cross(d) < 0);
+            let place = nearest.add(&side, margin.unsigned_abs() >> 1, end);
+            if place.is_some() {
+                return place;
             }
         }
-        let Some((k, side)) = best.get() else { return Self::Unsure };
-        let toward = side.cross(d);
-        if toward == 0 {
-            return Self::Unsure;
-        }
-        // The sum's middle is farther on the left of its nearest side than the origin. No other
-        // side is parallel, or it would be as near. Those of the reversed B run backward.
-        let (forward, of_a) = (toward < 0, k < 2);
-        let edge = if forward { side } else { side.reversed() };
-        let begin = (k & 1) | usize::from(forward != of_a) << 1;
-        let corner = |u: bool, v: bool| if v { 3 ^ usize::from(u) } else { usize::from(u) };
-        let (i, j) = if of_a {
-            (begin, corner(edge.cross(q.u) > 0, edge.cross(q.v) > 0))
-        } else {
-            (corner(edge.cross(p.u) < 0, edge.cross(p.v) < 0), begin)
-        };
-        Self::Side(PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a })
     }
+    Some(nearest.place())
+}
+
+/// How two boxes overlap; an error where two sides are as near, or nearly.
+pub(super) fn contact(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Contact>, Unsure> {
+    let side = nearest(p, q)?;
+    Ok(side.map(|side| across(&side, p.corner(side.a), q.corner(side.b))))
+}
+
+/// Of two opposite sides of the sum, which is parallel to no others, the one with the origin before
+/// it or nearer to it, and the corners that it ends at. The sum's middle is on the left of that.
+fn side_toward(
+    p: &Parallelogram,
+    q: &Parallelogram,
+    (k, side): (usize, Raw),
+    forward: bool,
+) -> (PolygonSide, (usize, usize)) {
+    // Those of the reversed B run backward.
+    let of_a = k < 2;
+    let edge = if forward { side } else { side.reversed() };
+    let begin = (k & 1) | usize::from(forward != of_a) << 1;
+    let end = (begin + 1) & 3;
+    let corner = |u: bool, v: bool| if v { 3 ^ usize::from(u) } else { usize::from(u) };
+    let ((i, j), end) = if of_a {
+        let j = corner(edge.cross(q.u) > 0, edge.cross(q.v) > 0);
+        ((begin, j), (end, j))
+    } else {
+        let i = corner(edge.cross(p.u) < 0, edge.cross(p.v) < 0);
+        ((i, begin), (i, end))
+    };
+    (PolygonSide { from: p.corner(i).sub(q.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }, end)
 }
 
 /// The bits of the sizes of both components, or of one less.

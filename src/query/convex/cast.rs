@@ -5,7 +5,7 @@
 //! comes in through a side moved out by them, between its ends, or else through the disc around a
 //! corner.
 
-use super::exit::over;
+use super::across::over;
 use super::short_place::place_of;
 use super::walk::{Core, PolygonSide, SideWalk};
 use crate::num::{Axis, Raw, Toi, less128, mul64, umul};

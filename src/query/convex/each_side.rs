@@ -3,8 +3,7 @@
 //! Where a product is an instruction, up to some 64 pairs of a side and a corner take half of what
 //! a walk around the sum takes.
 
-use super::boxes::Nearest;
-use super::nearness::{Least, Nearness};
+use super::nearness::{Least, Nearness, Unsure};
 use super::walk::{Core, PolygonSide};
 use crate::num::{Raw, SPLIT, Vec2};
 use core::mem::replace;
@@ -38,7 +37,7 @@ pub(super) fn meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
 
 /// The side of the sum that is nearest to the origin. Parallel sides are as near as each other, and
 /// one in the sum.
-pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Nearest {
+pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Result<Option<PolygonSide>, Unsure> {
     let mut best = Least::new();
     for (of, other, of_a) in [(a, b, true), (b, a, false)] {
         let mut begin = of.before(0);
@@ -57,16 +56,13 @@ pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Nearest {
             }
             let height = most.wrapping_sub(line);
             if height <= 0 {
-                return Nearest::Apart;
+                return Ok(None);
             }
-            let is_surely = best.add(Nearness::of(height, edge.len2()), || {
+            best.add(Nearness::of(height, edge.len2()), || {
                 let (i, j, edge) = if of_a { (begin, farthest, edge) } else { (farthest, begin, edge.reversed()) };
                 PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }
-            });
-            if !is_surely {
-                return Nearest::Unsure;
-            }
+            })?;
         }
     }
-    best.get().map_or(Nearest::Unsure, Nearest::Side)
+    best.get().map(Some)
 }

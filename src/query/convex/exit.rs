@@ -1,13 +1,14 @@
 //! The contact of two shapes: their least exit.
 
-use super::boxes::{Nearest, Parallelogram};
+use super::across::{across, normal, over};
+use super::boxes::{self, Parallelogram};
 use super::each_side;
 use super::face::Facing;
-use super::nearness::{Nearness, order};
+use super::nearness::{Nearness, Unsure, order};
 use super::place::Place;
 use super::short_place::short_place_of;
 use super::walk::{Core, Corner, PolygonSide, SideWalk};
-use crate::num::{Axis, Raw};
+use crate::num::Raw;
 use crate::query::contact::Contact;
 
 /// The least exit, and the side of the sum that it is across; none where it is from corner to
@@ -38,7 +39,7 @@ impl Exit {
             _ => nearest(a, b, radius == 0)?,
         };
         let (side, tie) = side;
-        let contact = across(&side, a, b).with_degenerate(tie).with_radii(a.radius, b.radius);
+        let contact = across_any(&side, a, b).with_degenerate(tie).with_radii(a.radius, b.radius);
         Some(Self { contact, side: Some(side), corners: (side.a, side.b) })
     }
 }
@@ -47,16 +48,14 @@ impl Exit {
 fn nearest(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
     if open {
         let found = if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
-            Nearest::of((a, &p), (b, &q))
+            boxes::nearest(&p, &q)
         } else if each_side::are_few(a, b) {
             each_side::nearest(a, b)
         } else {
-            Nearest::Unsure
+            Err(Unsure)
         };
-        match found {
-            Nearest::Side(side) => return Some((side, false)),
-            Nearest::Apart => return None,
-            Nearest::Unsure => {}
+        if let Ok(side) = found {
+            return side.map(|side| (side, false));
         }
     }
     least(a, b, open)
@@ -88,40 +87,16 @@ fn least(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
     best.map(|(_, side)| (side, tie))
 }
 
-/// The contact across a side of the sum, from A to B.
-fn across(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Contact {
+/// The contact across a side of the sum, from A to B. Across two sides the deepest point is the
+/// middle of their common part.
+fn across_any(side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Contact {
+    if !(side.of_a && side.of_b) {
+        return across(side, a.corner(side.a), b.corner(side.b));
+    }
     let (axis, overlap) = over(side.edge, side.from);
-    // The deepest point is the corner that the side moves along, or the middle of the common part
-    // of two sides.
-    let (core, on_a) = match (side.of_a, side.of_b) {
-        (true, false) => (b.corner(side.b), false),
-        (false, _) => (a.corner(side.a), true),
-        (true, true) => Facing::of(side, a, b).middle(),
-    };
+    let (core, on_a) = Facing::of(side, a, b).middle();
     let contact = Contact::new(axis, overlap, core);
     if on_a { contact } else { contact.on_b() }
-}
-
-/// The axis out of the sum over the line along `e` through `at`, and how far the origin is behind
-/// it, times the axis' length.
-///
-/// Along x and y the axis has length one, and the height divides by the side's length.
-pub(super) const fn over(e: Raw, at: Raw) -> (Axis, i64) {
-    if e.y == 0 {
-        let sign = e.x.signum();
-        (Axis::new(0, sign.wrapping_neg()), (sign.wrapping_mul(at.y) as i64).wrapping_neg())
-    } else if e.x == 0 {
-        let sign = e.y.signum();
-        (Axis::new(sign, 0), sign.wrapping_mul(at.x) as i64)
-    } else {
-        let n = normal(e);
-        (Axis::new(n.x, n.y), e.cross(at.reversed()))
-    }
-}
-
-/// Out of the sum, and from B to A.
-pub(super) const fn normal(edge: Raw) -> Raw {
-    Raw { x: edge.y, y: edge.x.wrapping_neg() }
 }
 
 /// The order of normals in a tie: along x, along y, others; positive x, then positive y; then

@@ -1,6 +1,7 @@
 //! The one or two points that two shapes rest on.
 
-use super::exit::{Exit, over};
+use super::across::over;
+use super::exit::Exit;
 use super::face::{End, Facing, face, precedes};
 use super::walk::{Core, PolygonSide};
 use crate::num::{Axis, Raw, cmp_squares, scaled};

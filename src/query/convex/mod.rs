@@ -6,7 +6,10 @@
 //! and that polygon. Only pairs with one of these shapes come here: a game of boxes and circles
 //! links none of it.
 
+mod across;
+mod box_point;
 mod boxes;
+mod capsules;
 mod cast;
 mod each_side;
 mod exit;
@@ -20,8 +23,10 @@ mod place;
 mod point;
 mod ray;
 mod round;
+mod short;
 mod short_place;
 mod short_sides;
+mod two_segments;
 mod walk;
 
 use super::cast::CastShape;
@@ -33,9 +38,12 @@ use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
 use crate::num::{Fx, LONG, Raw, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
+use box_point::BoxPoint;
 use boxes::Parallelogram;
+use capsules::Capsules;
 use exit::Exit;
 use meets::{capsules_meet, meets_in};
+use short::Short;
 use short_place::place_of;
 
 pub(crate) use meets::meets;
@@ -131,6 +139,18 @@ fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl F
         return (LONG || boxes_meet::<CLOSED>(&bounds()))
             && Parallelogram::new(p).meets::<CLOSED>(&Parallelogram::new(q));
     }
+    if let Some(near) = BoxPoint::of(a, b) {
+        return (LONG || boxes_meet::<CLOSED>(&bounds())) && near.meets::<CLOSED>();
+    }
+    if let (true, Some(answer)) = (LONG, Capsules::of(a, b).and_then(|near| near.meet::<CLOSED>())) {
+        return answer;
+    }
+    meet_cores::<CLOSED>((a, b), bounds)
+}
+
+/// The same for all other shapes: a call, so that what is shorter needs no registers saved.
+#[inline(never)]
+fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
     let radius = a.rounding().wrapping_add(b.rounding());
     if let (true, Some(p), Some(q)) = (radius != 0, a.ends(), b.ends()) {
         return boxes_meet::<CLOSED>(&bounds()) && capsules_meet::<CLOSED>(p, q, radius);
@@ -179,6 +199,9 @@ macro_rules! pair {
         impl<$($n)*> Contacts<$b> for $a {
             #[inline]
             fn contact(&self, b: &$b) -> Option<Contact> {
+                if let Some(Ok(contact)) = Short::of(self, b).map(|both| both.contact()) {
+                    return contact;
+                }
                 // Of capsules, the short test takes a tenth of a contact.
                 if self.ends().is_some() && b.ends().is_some() && !self.overlaps(b) {
                     return None;
@@ -215,9 +238,11 @@ macro_rules! pair {
         impl<$($n)*> Distance<$b> for $a {
             #[inline]
             fn distance(&self, b: &$b) -> Fx {
-                with_cores!(self, b, |a, b| {
-                    from_border(place_of(a, b).distance(), a.radius.wrapping_add(b.radius))
-                })
+                let core = match Short::of(self, b).and_then(|both| both.distance()) {
+                    Some(core) => core,
+                    None => with_cores!(self, b, |a, b| place_of(a, b).distance()),
+                };
+                from_border(core, self.rounding().wrapping_add(b.rounding()))
             }
         }
     };

@@ -1,7 +1,7 @@
 //! The points of two shapes that are nearest to each other, and the point of a shape that is
 //! nearest to any point.
 
-use super::exit::normal;
+use super::across::normal;
 use super::face::{Facing, face};
 use super::place::Place;
 use super::short_place::place_of;

@@ -82,6 +82,9 @@ impl Nearness {
     }
 }
 
+/// Two are as near as each other, or nearly.
+pub(super) struct Unsure;
+
 /// The nearest one so far of what is surely not as near as another.
 pub(super) struct Least<T>(Option<(Nearness, T)>);
 
@@ -90,19 +93,19 @@ impl<T> Least<T> {
         Self(None)
     }
 
-    /// Whether the leading bits tell the next one from the nearest.
+    /// An error where the leading bits do not tell the next one from the nearest.
     #[inline]
-    pub(super) fn add(&mut self, near: Nearness, value: impl FnOnce() -> T) -> bool {
+    pub(super) fn add(&mut self, near: Nearness, value: impl FnOnce() -> T) -> Result<(), Unsure> {
         match self.0.as_ref().map(|(least, _)| near.cmp(least)) {
-            Some(None) => return false,
+            Some(None) => return Err(Unsure),
             Some(Some(Ordering::Greater)) => {}
             _ => self.0 = Some((near, value())),
         }
-        true
+        Ok(())
     }
 
-    pub(super) fn get(self) -> Option<T> {
-        self.0.map(|(_, value)| value)
+    pub(super) fn get(self) -> Result<T, Unsure> {
+        self.0.map(|(_, value)| value).ok_or(Unsure)
     }
 }
 

@@ -72,6 +72,36 @@ impl Place {
     }
 }
 
+/// The nearest corner so far, at the ends of sides that the origin is before but not beside.
+pub(super) struct NearestCorner(Option<(u64, Corner)>);
+
+impl NearestCorner {
+    pub(super) const fn none() -> Self {
+        Self(None)
+    }
+
+    /// The origin is before a side, at this height: the place if it is beside it.
+    pub(super) fn add(&mut self, side: &PolygonSide, height: u64, end: (usize, usize)) -> Option<Place> {
+        let along = side.along();
+        let corner = if along < 0 {
+            Corner { at: side.from, a: side.a, b: side.b }
+        } else if along as u64 > side.len2() {
+            Corner { at: side.from.add(side.edge), a: end.0, b: end.1 }
+        } else {
+            return Some(Place::Side(*side, height));
+        };
+        let square = corner.at.len2();
+        if self.0.is_none_or(|(least, _)| square < least) {
+            self.0 = Some((square, corner));
+        }
+        None
+    }
+
+    pub(super) fn place(self) -> Place {
+        self.0.map_or(Place::Inside, |(_, corner)| Place::Corner(corner))
+    }
+}
+
 /// Whether two shapes without radii overlap, or touch: the first side that the origin is not inside
 /// of settles it, and is the error. A point has none.
 pub(super) fn sharp<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> Result<(), Option<PolygonSide>> {

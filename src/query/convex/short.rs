@@ -1,0 +1,52 @@
+//! The pairs of shapes that have kernels of their own for contacts and distances.
+
+use super::box_point::BoxPoint;
+use super::boxes::{self, Parallelogram};
+use super::capsules::Capsules;
+use super::nearness::Unsure;
+use crate::query::contact::Contact;
+use crate::shape::Convex;
+
+/// Which of them two shapes are. It is known when the code is compiled, except that a box without
+/// area is none.
+pub(super) enum Short {
+    /// A box in any direction and a circle.
+    BoxPoint(BoxPoint),
+    Capsules(Capsules),
+    /// Two boxes with sharp corners.
+    Boxes(Parallelogram, Parallelogram),
+}
+
+impl Short {
+    #[inline(always)]
+    pub(super) fn of(a: &impl Convex, b: &impl Convex) -> Option<Self> {
+        if let Some(both) = BoxPoint::of(a, b) {
+            Some(Self::BoxPoint(both))
+        } else if let Some(both) = Capsules::of(a, b) {
+            Some(Self::Capsules(both))
+        } else {
+            let (p, q) = (a.box_sides()?, b.box_sides()?);
+            Some(Self::Boxes(Parallelogram::new(p), Parallelogram::new(q)))
+        }
+    }
+
+    /// How they overlap; an error where the general code has to tell.
+    #[inline(always)]
+    pub(super) fn contact(&self) -> Result<Option<Contact>, Unsure> {
+        match self {
+            Self::BoxPoint(both) => both.contact(),
+            Self::Capsules(both) => both.contact(),
+            Self::Boxes(a, b) => boxes::contact(a, b),
+        }
+    }
+
+    /// The distance of the cores, rounded down; none where the general code has to tell.
+    #[inline(always)]
+    pub(super) fn distance(&self) -> Option<u32> {
+        match self {
+            Self::BoxPoint(both) => Some(both.distance()),
+            Self::Capsules(both) => both.distance(),
+            Self::Boxes(a, b) => boxes::place(a, b).map(|place| place.distance()),
+        }
+    }
+}
