@@ -1,6 +1,6 @@
 //! The hero of a platformer: one call per frame, built from [`Walker`].
 
-use super::feel::{Feel, Input, Outcome, Step};
+use super::feel::{Feel, Input, OnLeave, Outcome, Step};
 use super::{Body, MoveError, Mover, Support, Walked, Walker};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx, Raw, Vec2};
@@ -46,7 +46,8 @@ pub struct Character<B = Aabb> {
     /// has no coyote time. No release of the button cuts the rise.
     ///
     /// On a moving solid it is the velocity seen from there. However the character leaves it (by a
-    /// jump, a drop, a launch, or over its edge), the solid's motion is added.
+    /// jump, a drop, a launch, or over its edge), the solid's motion is added, and stays as
+    /// [`Feel::on_leave`] says.
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,
@@ -277,7 +278,9 @@ impl<B: Body> Character<B> {
         self.held = input.jump;
 
         let rate = if stands { feel.acceleration } else { feel.air_acceleration };
-        let (base, base_fall) = (self.base, self.downward(self.base.y));
+        let keeps = stands || feel.on_leave == OnLeave::Keep;
+        let base = if keeps { self.base } else { Vec2::ZERO };
+        let base_fall = self.downward(base.y);
         // Off a sinking solid it falls faster by the solid's speed. Above a rising one it falls no
         // slower.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
@@ -310,6 +313,9 @@ impl<B: Body> Character<B> {
             fall = fall.min(jump);
             (self.wish, self.away, self.wall, jumped) = (0, u8::MAX, 0, true);
         }
+        if stands && jumped && feel.on_leave == OnLeave::AddUpward && self.downward(carry.y) > 0 {
+            self.base.y = Fx::ZERO;
+        }
         self.wish = self.wish.saturating_sub(1);
         self.jumps &= fall < 0;
         if self.jumps && !input.jump {
@@ -328,11 +334,12 @@ impl<B: Body> Character<B> {
         }
         self.through = if fall > 0 { self.through.saturating_sub(fall).max(Fx::ZERO) } else { Fx::ZERO };
 
-        let velocity = Vec2::new(run, self.downward(fall)) + self.base;
+        let base = if keeps { self.base } else { Vec2::ZERO };
+        let velocity = Vec2::new(run, self.downward(fall)) + base;
         // A push in its own direction makes a part of its way. So does the solid that it left, if
         // that comes below its feet in the frame in which it lands.
         let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
-        let pushed = Vec2::new(part(carry.x, velocity.x, self.base.x), part(carry.y, velocity.y, self.base.y));
+        let pushed = Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y));
         let made = if stands { carry } else { pushed };
         let walks = stands && !(jumped || launched || drops);
         Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })

@@ -8,7 +8,8 @@ use crate::num::{Axis, Fx};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Input {
-    /// The speed to run at, in units per frame: negative to the left.
+    /// The speed to run at, in units per frame: negative to the left. On a moving solid it counts
+    /// as seen from there, and after leaving one as [`Feel::on_leave`] says.
     pub run: Fx,
     /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
@@ -20,6 +21,47 @@ pub struct Input {
     /// its motion below it. Until then the character passes other one-way floors as well. A lift
     /// that speeds up by more than half the gravity per frame may still catch it.
     pub drop: bool,
+}
+
+/// What becomes of the motion of a [`Solid`](crate::Solid) that a [`Character`](crate::Character)
+/// leaves, by a jump or over its edge.
+///
+/// ```
+/// use tilesat::{Aabb, Character, Feel, Fx, Input, Solid, TileKind, TileKinds, TileMap, Vec2, fx, motion::OnLeave};
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let level = TileMap::from_ascii("....................\n", &KINDS)?;
+/// // It jumps off a lift that moves to the right by 2, and holds left.
+/// let flies = |on_leave| -> Result<Fx, Box<dyn std::error::Error>> {
+///     let mut lift = [Solid::new(Aabb::new(Vec2::from_ints(60, 100), Vec2::from_ints(120, 106))?, 1)?];
+///     let body = Aabb::new(Vec2::from_ints(80, 86), Vec2::from_ints(90, 100))?;
+///     let mut hero = Character::new(body, level.bounds(), Feel { on_leave, ..Feel::DEFAULT });
+///     for frame in 0..30 {
+///         lift[0].set_motion(Vec2::from_ints(2, 0))?;
+///         let run = if frame < 4 { fx!(0) } else { fx!(-1.5) };
+///         let _ = hero.step_on(&level, &mut lift, Input { run, jump: frame >= 4, drop: false })?;
+///     }
+///     Ok(hero.velocity.x)
+/// };
+/// assert_eq!(flies(OnLeave::Keep)?, fx!(0.5)); // -1.5, seen from the lift
+/// assert_eq!(flies(OnLeave::Add)?, fx!(-1.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[doc(alias("platform_on_leave", "lift boost", "inherit velocity"))]
+pub enum OnLeave {
+    /// It goes on until the character lands or meets a wall. Seen from the solid, the flight is
+    /// that on still ground: a hero that jumps on a train comes down where it jumped.
+    /// [`Input::run`] counts as seen from the solid too.
+    #[default]
+    Keep,
+    /// It is added once. Then [`Feel::air_acceleration`] brings the speed to [`Input::run`] as seen
+    /// from the level.
+    Add,
+    /// As [`Add`](Self::Add), without the part of a jump off a solid that leads down: it rises as
+    /// high as one off still ground.
+    AddUpward,
 }
 
 /// How a [`Character`](crate::Character) moves. Lengths are units, times are frames.
@@ -67,12 +109,14 @@ pub struct Feel {
     pub wall_jump: Option<Fx>,
     /// The fastest fall while it runs against a wall. `None`: as elsewhere.
     pub wall_slide: Option<Fx>,
+    /// What becomes of the motion of a solid that it leaves.
+    pub on_leave: OnLeave,
 }
 
 impl Feel {
     /// Gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames, acceleration
     /// 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump and wall slide
-    /// are off.
+    /// are off. The motion of a solid is [kept](OnLeave::Keep).
     pub const DEFAULT: Self = Self {
         gravity: Fx::from_bits(0x4000), // 0.25
         fall: Fx::from_bits(6 << 16),
@@ -87,6 +131,7 @@ impl Feel {
         slope_speed: SlopeSpeed::Constant,
         wall_jump: None,
         wall_slide: None,
+        on_leave: OnLeave::Keep,
     };
 
     pub(super) const fn falls_to_larger_y(&self) -> bool {

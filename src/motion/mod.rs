@@ -189,7 +189,7 @@ mod ways;
 pub use body::Body;
 pub use cast::BodyHit;
 pub use character::Character;
-pub use feel::{Feel, Input, Outcome, Step};
+pub use feel::{Feel, Input, OnLeave, Outcome, Step};
 pub use inside::{StartInside, escape, turn};
 pub use memo::Memo;
 pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};

@@ -82,3 +82,68 @@ fn rounded_triangles() {
         }
     }
 }
+
+/// Tiny boxes in all directions of a lattice, rounded to parallelograms of any slant, and discs.
+#[test]
+fn tiny_turned_boxes_and_discs() {
+    let mut count = 0u64;
+    for half in [(1, 1), (1, 2), (2, 1), (3, 1), (2, 3), (1, 4)] {
+        for direction in (-3..=3).flat_map(|x| (-3..=3).map(move |y| (x, y))).filter(|d| *d != (0, 0)) {
+            for radius in [0, 1] {
+                let turned = Shape::Turned { centre: (0, 0), half, direction, radius };
+                for centre in (-6..=6).flat_map(|x| (-6..=6).map(move |y| (x, y))) {
+                    for radius in 0..=3 {
+                        let disc = Shape::Circle { centre, radius };
+                        Pair::new(&turned, &disc).all();
+                        Pair::new(&disc, &turned).all();
+                        count += 2;
+                    }
+                }
+            }
+        }
+    }
+    println!("{count} pairs, 0 wrong");
+}
+
+/// The same boxes with each other.
+#[test]
+fn tiny_turned_boxes() {
+    let directions = [(1, 0), (0, 1), (1, 1), (2, 1), (-1, 3), (3, -2), (-3, -3), (1, -2)];
+    let boxes: Vec<Shape> = [(1, 1), (1, 2), (3, 1), (2, 3)]
+        .into_iter()
+        .flat_map(|half| directions.map(|direction| Shape::Turned { centre: (0, 0), half, direction, radius: 0 }))
+        .collect();
+    let stride = tilesat_judge::cases(5);
+    let mut count = 0u64;
+    for (i, a) in boxes.iter().enumerate() {
+        for b in &boxes {
+            for p in (0..169).skip(i % stride).step_by(stride) {
+                Pair::new(a, &b.moved((p % 13 - 6, p / 13 - 6))).all();
+                count += 1;
+            }
+        }
+    }
+    println!("{count} pairs, 0 wrong");
+}
+
+/// Capsules on a lattice: parallel, crossing, and with ends on the line of the other one.
+#[test]
+fn capsules_of_a_lattice() {
+    let points: Vec<Point> = (0..25).map(|i| (i % 5, i / 5)).collect();
+    let capsule = |a: Point, b: Point, radius| Shape::Capsule { a, b, radius };
+    let stride = tilesat_judge::cases(7);
+    let mut count = 0u64;
+    for (i, a) in points.iter().enumerate() {
+        for b in &points {
+            for (j, p) in points.iter().enumerate().skip(i % stride).step_by(stride) {
+                for q in points.iter().skip(j) {
+                    for radius in [1, 2] {
+                        Pair::new(&capsule(*a, *b, radius), &capsule(*p, *q, 0)).all();
+                        count += 1;
+                    }
+                }
+            }
+        }
+    }
+    println!("{count} pairs, 0 wrong");
+}

@@ -97,6 +97,41 @@ fn a_patrol_turns_exactly_where_it_would_fall() {
     assert!(turns > 1000, "{turns}");
 }
 
+/// Over a pit that is as wide as itself, a box stands nowhere at one place alone. At whatever speed
+/// and from wherever it comes, it turns before. A narrower pit it crosses.
+#[test]
+fn a_patrol_turns_at_a_pit_as_wide_as_itself() {
+    let rows = ["#......................#\n", "#......................#\n", "#######.#####.#########\n"];
+    for floor in ['#', '='] {
+        let ground = rows[2].replace('#', &floor.to_string());
+        let level = rows[..2].concat() + &format!("#{ground}") + &format!("#{ground}");
+        let level = TileMap::from_ascii(&level, &KINDS).unwrap();
+        for (width, crosses) in [(15 << 16, false), (16 << 16, false), ((16 << 16) + 1, true), (18 << 16, true)] {
+            for speed in [fx!(0.25), fx!(0.5), fx!(0.75), fx!(1.5), fx!(2.5)] {
+                for start in (18..90).step_by(5) {
+                    let lo = Vec2::from_ints(start, 16);
+                    let body = Aabb::new(lo, Vec2::new(lo.x + Fx::from_bits(width), fx!(32))).unwrap();
+                    let mut enemy = Character::new(body, limits(), Feel::DEFAULT);
+                    let (mut run, mut walls) = (speed, [false; 2]);
+                    let _ = enemy.step(&level, NOTHING).unwrap();
+                    let way = if crosses { fx!(800) } else { fx!(300) };
+                    for _ in 0..(way / speed).to_num::<i32>() {
+                        let step = enemy.step(&level, Input { run, ..NOTHING }).unwrap();
+                        assert!(enemy.on_floor(), "{width} {speed} {start} {}", enemy.body().min().x);
+                        let next = ((enemy.velocity.x * run.signum()).max(fx!(0)) + fx!(0.5)).min(speed);
+                        let ledge = enemy.ledge_ahead(&level, (next + next * next) * run.signum()).unwrap();
+                        assert!(!(ledge && crosses), "{width} {speed} {start} {}", enemy.body().min().x);
+                        walls[usize::from(run > 0)] |= step.wall;
+                        run = if step.wall || ledge { -run } else { run };
+                    }
+                    // The first pit is right of it, and the left wall it always comes to.
+                    assert_eq!(walls, [true, crosses], "{width} {speed} {start}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn on_even_ground_it_turns_with_its_front_on_the_floor() {
     let level = TileMap::from_ascii("          \n ======   \n", &KINDS).unwrap(); // from 16 to 112

@@ -6,6 +6,7 @@ mod carry;
 mod character;
 mod character_convex;
 mod character_launches;
+mod character_leaves;
 mod character_lifts;
 mod character_looks;
 mod convex;

@@ -47,22 +47,18 @@ pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Result<Option<PolygonSide>, U
             let edge = to.sub(from);
             let line = edge.cross(replace(&mut from, to));
             let begin = replace(&mut begin, end);
-            let (mut farthest, mut most) = (0, i64::MIN);
-            for (j, p) in other.corners.iter().enumerate() {
-                let here = left_of(edge, *p);
-                if here > most {
-                    (farthest, most) = (j, here);
-                }
-            }
+            let most = other.corners.iter().fold(i64::MIN, |most, p| most.max(left_of(edge, *p)));
             let height = most.wrapping_sub(line);
             if height <= 0 {
                 return Ok(None);
             }
-            best.add(Nearness::of(height, edge.len2()), || {
-                let (i, j, edge) = if of_a { (begin, farthest, edge) } else { (farthest, begin, edge.reversed()) };
-                PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }
-            })?;
+            best.add(Nearness::of(height, edge.len2()), || (of_a, begin, edge, most))?;
         }
     }
-    best.get().map(Some)
+    // Which corner is as far on the left is asked of one side only.
+    let (of_a, begin, edge, most) = best.get()?;
+    let other = if of_a { b } else { a };
+    let farthest = other.corners.iter().position(|p| left_of(edge, *p) == most).unwrap_or(0);
+    let (i, j, edge) = if of_a { (begin, farthest, edge) } else { (farthest, begin, edge.reversed()) };
+    Ok(Some(PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }))
 }
