@@ -75,8 +75,8 @@ impl<B: Body> Character<B> {
     /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and a look down for
     /// each that a box makes. That are four walks for a body of 10 units at a speed of 1, more than
     /// all else that a patrol does in a frame. Up to twenty more follow where the floor has a gap
-    /// that is nearly as wide as the box. To save it, ask in every `n`-th frame, with `far` larger by
-    /// `(n - 1) * v`. If `far` and the width are more than ten times the snap, the steps are
+    /// that is nearly as wide as the box. To save it, ask in every `n`-th frame, with `far` larger
+    /// by `(n - 1) * v`. If `far` and the width are more than ten times the snap, the steps are
     /// longer, and slopes that lead down may count as ledges: raise the snap.
     ///
     /// ```

@@ -351,6 +351,7 @@ mod change;
 mod error;
 mod idle;
 mod kernel;
+mod lean;
 mod meeting;
 mod memory;
 mod met;

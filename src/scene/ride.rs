@@ -131,7 +131,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if !(0..MOTION).contains(&value) {
             return Err(SceneError::call(RangeError { what: Quantity::Follow, value }));
         }
-        if !self.wake_beside(solids) {
+        if !self.wake_beside(solids, gravity) {
             return Ok(());
         }
         let mover = if gravity == Vec2::ZERO { Mover::new() } else { Mover::platformer(toward(gravity).reversed()) };
@@ -163,7 +163,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         if acts {
             // Else what lies on a body that was awake before would sleep on in the air.
-            self.wake_on(0);
+            self.wake_on(0, gravity);
         }
         if carries {
             let lying = self.awake.iter().take(self.count).filter_map(|handle| self.slots.get(handle.slot()));
@@ -177,23 +177,23 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Wakes the bodies near solids that move, with their piles. Returns whether a solid moves.
-    fn wake_beside<T: MovingSolid>(&mut self, solids: &[T]) -> bool {
+    fn wake_beside<T: MovingSolid>(&mut self, solids: &[T], gravity: Vec2) -> bool {
         let (from, mut moves) = (self.count, false);
         for reach in solids.iter().filter_map(T::reach) {
             moves = true;
             self.wake_region(&around(&reach, NEAR));
         }
         if moves {
-            self.wake_on(from);
+            self.wake_on(from, gravity);
             self.memory.fill(Place::Empty);
         }
         moves
     }
 
     /// Wakes the piles of the bodies that are awake, from one of the list on.
-    fn wake_on(&mut self, from: usize) {
+    fn wake_on(&mut self, from: usize, gravity: Vec2) {
         let awake = self.count;
-        self.wake_along(from, &mut Unasked);
+        self.wake_along(from, gravity, &mut Unasked);
         self.tell_woken(awake);
     }
 

@@ -4,8 +4,9 @@ use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::change::rouse;
 use super::idle::{are_idle, idle, is_idle, repeat, stir};
 use super::kernel::BodyShape;
+use super::lean::{NEAR, join_leaning, leans};
 use super::memory::{Place, keep};
-use super::met::{may_meet, pair, senses};
+use super::met::{around, may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
 use super::reply::{Answer, Asked, Replies, Reply, Unasked};
 use super::set::Sleep;
@@ -224,10 +225,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if M > 0 {
             self.disturb(gravity);
         }
+        // Each wakes what it touches below, and here what rests on it without touching it.
+        let woken = |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.mode == Mode::Woken);
+        let first = self.awake().iter().position(woken).unwrap_or(awake);
         begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, replies, each);
-        if self.count > awake {
-            self.wake_along(awake, replies);
+        if self.count > first {
+            self.wake_along(first, gravity, replies);
             stepped.woken = (self.count - awake) as u16;
             self.tell_woken(awake);
         }
@@ -250,7 +254,16 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let (slots, memory, mut woken, mut hits) = (&mut self.slots, &self.memory, 0, false);
         each_pair(&mut self.near, movers, |pair| {
             stepped.pairs += 1;
-            let Some((a, b)) = both(slots, pair).filter(|(a, b)| a.body.shape.touches(&b.body.shape)) else { return };
+            let Some((a, b)) = both(slots, pair) else { return };
+            if !a.body.shape.touches(&b.body.shape) {
+                if leans(a, b, gravity) && !senses(a, b) && replies.to(pair).acts() {
+                    for at in [pair.a, pair.b] {
+                        rouse(slots, room, &mut woken, at);
+                    }
+                    join(slots, pair);
+                }
+                return;
+            }
             let reply = replies.to(pair);
             if reply == Reply::Ignore {
                 return;
@@ -284,21 +297,21 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.count += woken;
     }
 
-    /// Wakes the bodies that touch one of those woken since the list had `from` entries: a pile
-    /// wakes as a whole.
+    /// Wakes the bodies that touch, or rest on, one of those woken since the list had `from`
+    /// entries: a pile wakes as a whole.
     #[inline(never)]
-    pub(super) fn wake_along(&mut self, from: usize, replies: &mut impl Replies) {
+    pub(super) fn wake_along(&mut self, from: usize, gravity: Vec2, replies: &mut impl Replies) {
         let Self { near, slots, awake, count, .. } = self;
         let mut at = from;
         while let Some(&handle) = awake.get(..*count).and_then(|awake| awake.get(at)) {
             at += 1;
             let Some(bounds) = slots.get(handle.slot()).map(|slot| slot.body.shape.aabb()) else { continue };
-            near.in_region(&bounds, |other| {
+            near.in_region(&around(&bounds, NEAR.to_bits() as u32), |other| {
                 let (Some(one), Some(two)) = (slots.get(handle.slot()), slots.get(other.slot())) else { return };
                 if two.mode != Mode::Asleep
                     || senses(one, two)
                     || !may_meet(one, two)
-                    || !one.body.shape.touches(&two.body.shape)
+                    || !(one.body.shape.touches(&two.body.shape) || leans(one, two, gravity))
                 {
                     return;
                 }
@@ -362,6 +375,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let slots = &mut self.slots;
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         for handle in &*awake {
+            join_leaning(slots, &self.near, *handle, (trip.gravity, steps));
             if let Some(slot) = slots.get_mut(handle.slot()) {
                 slot.tally.hits = u16::MAX;
             }

@@ -3,6 +3,7 @@
 use super::blocked::in_vain;
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
+use super::lean::down;
 use super::meeting::toward;
 use super::memory::{Causes, Made, Place, Rest, Start, keep, known, note, rest_mut};
 use super::met::{may_meet, senses};
@@ -12,12 +13,8 @@ use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::{Body, Hit, Moved, Mover, Response, Surface};
-use crate::num::{Fx, Ratio, Vec2};
+use crate::num::{Ratio, Vec2};
 use crate::world::World;
-
-/// How far below a body that sleeps its support is at most, as in
-/// [`Mover::supported`](crate::Mover::supported).
-const NEAR: Fx = Fx::from_bits(8);
 
 /// The data that all ways through the level share.
 pub(super) struct Trip<'a, V> {
@@ -248,7 +245,7 @@ impl<V> Trip<'_, V> {
         if weight == Vec2::ZERO || slot.way.is_held() {
             return true;
         }
-        let down = toward(weight).unit().scaled(NEAR);
+        let down = down(weight);
         // So is a body in the solid.
         if self.touch(&slot.body, down).map_or(true, |touched| touched.hit.is_some()) {
             return true;

@@ -7,6 +7,7 @@ mod broad_model;
 mod broad_pairs;
 mod broad_removals;
 mod filters;
+mod leaning;
 mod pair_events;
 mod piles;
 mod response;

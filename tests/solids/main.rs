@@ -9,6 +9,7 @@ mod character_launches;
 mod character_leaves;
 mod character_lifts;
 mod character_looks;
+mod character_pipes;
 mod convex;
 mod games;
 mod joints;

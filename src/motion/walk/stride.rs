@@ -193,7 +193,9 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 // A body that is blocked at once does not creep along by roundings, unless they
                 // take it off its floor.
                 let lower = |ground: Ground| way(ground.drop()) > NEAR;
-                if on_chord || (way(made) <= NEAR && (made.is_zero() || !self.look_down().is_none_or(lower))) {
+                // Nor does a polygon end within a chord: mirrored, it would end a raw unit elsewhere.
+                let at_once = way(made) <= NEAR && (made.is_zero() || !self.look_down().is_none_or(lower));
+                if at_once || (on_chord && (B::ANGULAR || way(made) <= NEAR)) {
                     self.run.put_back(self.before);
                 }
                 // A ceiling that ends the run is a wall to it.
@@ -305,6 +307,10 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             self.floor = ground.entry.normal;
             return self.run.rest != Toi::ZERO;
         }
+        // Other ground that is too steep begins where the pipe ends: the body leaves that.
+        if !matches!(ground.feature.geometry, Geometry::Arc { convex: false, .. }) {
+            return false;
+        }
         self.run.put_back(self.before);
         self.run.moved.wall = true;
         (self.speed, self.run.rest) = (0, Toi::ZERO);
@@ -342,11 +348,26 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         true
     }
 
+    /// Takes a blocked body down along a wall that leans on it from below, to a floor within the
+    /// snap. Over a dome a leg ends a little higher than the floor beside such a wall.
+    #[inline(never)]
+    fn slip(&mut self, wall: &Ground) -> Option<Support> {
+        if !may_be_askew::<B, W>() || self.speed != 0 || wall.entry.step.is_some() {
+            return None;
+        }
+        let down = project::<B, W, _>(along(self.up, -self.walker.snap), wall.entry.normal, &Smooth);
+        let floor = self.run.look(self.world, down)?;
+        let support = self.walker.mover.support(&floor)?;
+        self.snapped += length(self.run.advance(self.world, floor.d, &floor.entry));
+        Some(support)
+    }
+
     /// Puts the body on the ground, or lets it leave the ground.
     fn settle(&mut self, ground: Option<Ground>) -> Footing {
         let mut support = self.climbed.or_else(|| ground.as_ref().and_then(|ground| self.footing(ground)));
-        if support.is_none() && ground.is_some() {
-            support = self.run.floor_near(self.world, &self.walker.mover, self.up);
+        if let (None, Some(ground)) = (support, &ground) {
+            let near = self.run.floor_near(self.world, &self.walker.mover, self.up);
+            support = near.or_else(|| self.slip(ground));
         }
         self.run.v =
             if support.is_some() { tangent(self.speed, self.up, self.against) } else { self.velocity(Toi::ONE) };

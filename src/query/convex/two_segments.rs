@@ -52,7 +52,8 @@ impl TwoSegments {
         }
     }
 
-    /// Where the origin is relative to their sum. None where an end is on the line of the other one.
+    /// Where the origin is relative to their sum. None where an end is on the line of the other
+    /// one.
     #[inline(always)]
     pub(super) fn place(&self) -> Option<Place> {
         if self.over_a.0 == 0 || self.over_a.1 == 0 || self.over_b.0 == 0 || self.over_b.1 == 0 {

@@ -1,0 +1,52 @@
+//! Which bodies rest on each other without touching.
+//!
+//! A fast body ends its way where it meets another one, rounded back by less than a raw unit. There
+//! it rests.
+
+use super::body::Slot;
+use super::kernel::BodyShape;
+use super::meeting::toward;
+use super::met::{around, may_meet, pair, senses};
+use super::pairs::join;
+use crate::broad::{BroadPhase, Handle};
+use crate::num::{Fx, Vec2};
+
+/// How far below a body that sleeps its support is at most, as in
+/// [`Mover::supported`](crate::Mover::supported).
+pub(super) const NEAR: Fx = Fx::from_bits(8);
+
+/// The way down, along a weight that is not zero, to what holds a body.
+pub(super) fn down(weight: Vec2) -> Vec2 {
+    toward(weight).unit().scaled(NEAR)
+}
+
+/// Whether one of two bodies that do not touch rests on the other one: one of them is fast, and
+/// one rests or sleeps.
+///
+/// What sleeps was held by it, and what is to sleep must do so with it.
+pub(super) fn leans<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> bool {
+    let rests = |upper: &Slot<S>, lower: &Slot<S>| {
+        let weight = upper.body.weight(gravity);
+        weight != Vec2::ZERO && upper.body.shape.shifted(down(weight)).contact(&lower.body.shape).is_some()
+    };
+    (a.body.fast || b.body.fast)
+        && [a, b].iter().any(|slot| slot.is_asleep() || slot.quiet > 0)
+        && (rests(a, b) || rests(b, a))
+}
+
+/// Joins a fast body that may fall asleep to the awake ones that hold it.
+pub(super) fn join_leaning<S: BodyShape>(
+    slots: &mut [Slot<S>],
+    near: &impl BroadPhase,
+    handle: Handle,
+    (gravity, steps): (Vec2, u8),
+) {
+    let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.body.fast && slot.quiet >= steps) else { return };
+    near.in_region(&around(&slot.body.shape.aabb(), NEAR.to_bits() as u32), |other| {
+        let (Some(one), Some(two)) = (slots.get(handle.slot()), slots.get(other.slot())) else { return };
+        if other != handle && two.is_awake() && !senses(one, two) && may_meet(one, two) && leans(one, two, gravity) {
+            let pair = pair((handle, one), (other, two));
+            join(slots, pair);
+        }
+    });
+}
