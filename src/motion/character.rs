@@ -38,8 +38,8 @@ use crate::world::{Solids, World};
 #[doc(alias = "KinematicCharacterController")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Character<B = Aabb> {
-    /// Units per frame. Change it to throw the character: a spring, a stomp or a ladder sets
-    /// `velocity.y`. The next [`step`](Self::step) adds gravity first, so a launch at -4 rises by
+    /// Units per frame. Change it to throw the character: a spring or a stomp sets `velocity.y`, and
+    /// a ladder does in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step) adds gravity first, so a launch at -4 rises by
     /// 3.75 in its first frame. (A jump at 4 rises by 4.)
     ///
     /// If you make it rise faster than the last step left it, it leaves its floor as by a jump, and
@@ -213,7 +213,8 @@ impl<B: Body> Character<B> {
         self.floor.is_some()
     }
 
-    /// The key of the solid that it stands on.
+    /// The key of the solid that it stands on. `None` across a solid and other floor of one height,
+    /// though the solid may carry it all the same.
     #[must_use]
     pub const fn ridden(&self) -> Option<u16> {
         match self.floor {

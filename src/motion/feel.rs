@@ -91,7 +91,8 @@ pub struct Feel {
     /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
     pub coyote: u8,
     /// For how many more frames a press of the button counts, if it comes before the landing. Zero:
-    /// only in the frame of the press.
+    /// only in the frame of the press. If the button is up again at the landing, the jump is cut
+    /// from its first frame.
     #[doc(alias = "jump_buffer")]
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
@@ -101,11 +102,14 @@ pub struct Feel {
     /// How far the body follows falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
     /// One and a half times the running speed is always enough for tiles.
     pub snap: Fx,
-    /// The highest step that it climbs: [`Walker::with_step`](crate::Walker::with_step).
+    /// The highest step that it climbs: [`Walker::with_step`](crate::Walker::with_step). The
+    /// default stops at half of a tile of 16.
     pub step: Fx,
     /// How fast it walks on slopes.
     pub slope_speed: SlopeSpeed,
-    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps.
+    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps. It must have
+    /// run against the wall in the last [`coyote`](Self::coyote) frames. The same wall counts
+    /// again: if it comes back before it falls, it climbs.
     pub wall_jump: Option<Fx>,
     /// The fastest fall while it runs against a wall. `None`: as elsewhere.
     pub wall_slide: Option<Fx>,
@@ -193,7 +197,8 @@ pub struct Step {
     /// Whether its head hit a ceiling.
     #[doc(alias = "is_on_ceiling")]
     pub ceiling: bool,
-    /// The flags of all tiles, segments and solids that it hit, or-ed.
+    /// The flags of all tiles, segments and solids that it hit, or-ed. A floor that it stands on,
+    /// or walks on to, is no hit: see [`Character::floor`](crate::Character::floor).
     pub flags: u8,
 }
 

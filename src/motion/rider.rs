@@ -4,7 +4,7 @@ use super::character::refused;
 use super::feel::{Input, Outcome, Step};
 use super::{Body, Character, MoveError, Mover, Ridden, Ride};
 use crate::error::RangeError;
-use crate::num::{Fx, Vec2};
+use crate::num::{Fx, MOTION, Vec2};
 use crate::shape::Aabb;
 use crate::world::{ConvexSolid, ConvexSolids, Joined, Solid, SolidShape, Solids, World, sealed};
 
@@ -239,7 +239,9 @@ impl<B: Body> Character<B> {
         // From a one-way solid it drops after the ride, which takes it along.
         let stands = self.floor.is_some_and(|floor| floor.one_way) && self.ridden().is_some();
         let mover = self.mover().with_drop_through(self.passes(drop) && !stands);
-        let ride = |mover: &Mover| M::ride(mover, level, solids, &self.body, follow.max(Fx::ZERO));
+        // What a walker or a motion cannot be is an error of the step, by the name that it has there.
+        let follow = follow.clamp(Fx::ZERO, Fx::from_bits(MOTION - 1));
+        let ride = |mover: &Mover| M::ride(mover, level, solids, &self.body, follow);
         let ridden = match ride(&mover) {
             // One-way solids pass through what has no room.
             Ok(Ridden { ride: Ride::Squashed { .. }, .. }) => ride(&mover.with_drop_through(true)),

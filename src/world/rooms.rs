@@ -160,15 +160,26 @@ impl<'a, S: Set> Room<'a, S> {
     /// The room of a table that holds a point of this one. Also the vector to add to all positions
     /// of the body that moves over.
     ///
-    /// `None` if the world has no room there. If several rooms hold the point, it returns the
-    /// first. So call it only after [`holds`](Self::holds) has become false. Cost: two products and four comparisons per room
-    /// of the table; no division.
+    /// If no room holds it, the nearest one counts, along x and y together: a hero may jump over
+    /// the top of one room into the next. `None` if that is this room. If several rooms hold the
+    /// point, it returns the first. So call it only after [`holds`](Self::holds) has become false.
+    ///
+    /// Cost: two products and some comparisons per room of the table; no division.
     #[must_use]
     pub fn next_of<'r>(&self, rooms: &'r [Self], place: Vec2) -> Option<(&'r Self, Vec2)> {
-        rooms.iter().find_map(|room| {
-            let by = self.way_to((room.x, room.y))?;
-            room.holds(place + by).then_some((room, by))
-        })
+        let all = rooms.iter().filter_map(|room| Some((room, self.way_to((room.x, room.y))?)));
+        let nearest = all.min_by_key(|(room, by)| room.apart_from(place + *by))?;
+        (nearest.0.first() != self.first()).then_some(nearest)
+    }
+
+    /// How far a point is from the room, along x and y together; 0 if the room holds it.
+    fn apart_from(&self, place: Vec2) -> u64 {
+        let (p, cell) = (Raw::of(place), self.map.grid.cell);
+        let beyond = |at: i32, count: u16| {
+            let last = i32::from(count).wrapping_mul(cell).wrapping_sub(1);
+            u64::from(at.abs_diff(at.clamp(0, last)))
+        };
+        beyond(p.x, self.width).wrapping_add(beyond(p.y, self.height))
     }
 
     /// The vector to add to a point of this room to have it in one with this first cell. `None`
@@ -316,8 +327,10 @@ impl<'a, S: Set> Rooms<'a, S> {
     }
 
     /// The room that holds a point which has left the given room. Also the vector to add to all
-    /// positions of the body that moves over. `None` while the point is still in the room, and
-    /// where the world ends.
+    /// positions of the body that moves over. `None` while the point is still in the room.
+    ///
+    /// A point beyond an end of the world counts as one at that end: a hero may run on top of the
+    /// uppermost tiles, from room to room.
     ///
     /// Cost: four comparisons where it is still in the room. Else four 32-bit divisions and a
     /// [`room`](Self::room), however large the world is.
@@ -329,8 +342,8 @@ impl<'a, S: Set> Rooms<'a, S> {
         let (p, cell) = (Raw::of(place), self.pattern.grid.cell);
         let column = index(room.x, p.x, cell, self.world.0, self.room.0);
         let row = index(room.y, p.y, cell, self.world.1, self.room.1);
-        let (Some(column), Some(row)) = (column, row) else { return None };
         match self.room(column, row) {
+            Some(next) if next.x == room.x && next.y == room.y => None,
             Some(next) => match room.way_to((next.x, next.y)) {
                 Some(by) => Some((next, by)),
                 None => None,
@@ -374,12 +387,15 @@ const fn with_apron(room: u16, apron: u16) -> u16 {
     room.saturating_add(apron).saturating_add(apron)
 }
 
-/// Which room of an axis holds a coordinate of a room with this first cell; `None` outside the
-/// world.
-const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> Option<u16> {
-    let Some(cells) = at.checked_div_euclid(cell) else { return None };
-    let Some(cell) = first.checked_add(cells) else { return None };
-    if 0 <= cell && cell < world as i32 { Some(quotient(cell as u16, room)) } else { None }
+/// Which room of an axis holds a coordinate of a room with this first cell, or is nearest to it.
+const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> u16 {
+    // A cell has a length, and a world has a cell.
+    let cells = match at.checked_div_euclid(cell) {
+        Some(cells) => cells,
+        None => 0,
+    };
+    let (cell, last) = (first.saturating_add(cells), world.saturating_sub(1));
+    quotient(if cell < 0 { 0 } else { least(cell, last as i32) as u16 }, room)
 }
 
 /// A divisor is never 0.

@@ -16,6 +16,33 @@ static SHAPES: TileKinds = TileKinds::EMPTY
 const UNIT: i64 = 1 << 16;
 const MOVER: Mover = Mover::platformer(Axis::NEG_Y);
 
+/// A ball under a ceiling, on the corner of a lift that goes away sideways and a little up. The
+/// ceiling keeps it from going along, and the lift passes it where it is.
+#[test]
+fn a_ball_that_its_lift_leaves_is_not_squashed() {
+    let level = TileMap::from_ascii("########\n........\n........\n", &KINDS).unwrap(); // down to y = 16
+    let ball = disc((76 * UNIT, 24 * UNIT), 8 * UNIT);
+    let mut left = 0;
+    for (x, y) in (1..7).flat_map(|x| (1..40).map(move |y| (-x * UNIT / 2, -y * UNIT / 64))) {
+        // Its corner at the lower left of the ball, outside of it by less than a raw unit.
+        let triples = [(3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25)];
+        for (dx, dy) in triples.map(|(a, b, c)| (8 * UNIT * a / c, 8 * UNIT * b / c + 1)) {
+            let corner = (76 * UNIT - dx, 24 * UNIT + dy);
+            let lift = solid((corner.0 - 30 * UNIT, corner.1), (corner.0, corner.1 + 8 * UNIT), 3);
+            let lift = lift.with_motion(vec2((x, y))).unwrap();
+            // The corner goes away from the centre: it does not come nearer.
+            if x * -dx + y * dy < 0 {
+                continue;
+            }
+            left += 1;
+            let (ride, after) = ride(&level, &[lift], &ball);
+            assert_eq!(ride, Ride::Carried, "{x} {y} {dx} {dy}");
+            assert!(!Solids::new(&[lift.moved()]).overlaps(&after) && !level.overlaps(&after));
+        }
+    }
+    assert!(left > 100, "{left}");
+}
+
 fn ride<W: World, B: Body + PartialEq + std::fmt::Debug>(level: &W, solids: &[Solid], body: &B) -> (Ride, B) {
     let first = MOVER.ride(level, solids, body, Fx::ONE).unwrap();
     // The order of the list does not matter.

@@ -28,12 +28,15 @@ fn every_place_has_its_room() {
                     let place = Vec2::from_raw((dx << 20) + raw, (dy << 20) + raw);
                     let own = (0..room.width().into()).contains(&dx) && (0..room.height().into()).contains(&dy);
                     assert_eq!(room.holds(place), own);
-                    let inside = (0..7).contains(&x) && (0..5).contains(&y);
+                    // Beyond the world, the room of the nearest cell.
+                    let near = (x.clamp(0, 6), y.clamp(0, 4));
+                    let home = (near.0 / i32::from(width), near.1 / i32::from(height));
                     let next = world.next(&room, place);
-                    assert_eq!(next.is_some(), inside && !own, "{x} {y}");
+                    assert_eq!(next.is_some(), home != (column.into(), row.into()), "{x} {y}");
                     if let Some((next, by)) = next {
                         let (there, (first_x, first_y)) = (place + by, next.first());
-                        assert!(next.holds(there));
+                        assert_eq!((first_x, first_y), (home.0 * i32::from(width), home.1 * i32::from(height)));
+                        assert!(!own && next.holds(there) == ((x, y) == near));
                         assert_eq!(there, Vec2::from_raw(((x - first_x) << 20) + raw, ((y - first_y) << 20) + raw));
                     }
                     let cell = room.map().cell_at(place);
@@ -62,7 +65,8 @@ fn sixty_five_thousand_cells() {
     // All coordinates, those beyond the domain too.
     for x in [i32::MIN, -(1 << 29), 1 << 29, i32::MAX] {
         let at = |place| world.next(&room, place).map(|(next, by)| next.holds(place + by));
-        assert!(at(Vec2::from_raw(x, 0)).is_none_or(|there| there), "{x}");
+        // This is the last room, and no coordinate reaches 2048 cells back.
+        assert_eq!(at(Vec2::from_raw(x, 0)), (x == -(1 << 29)).then_some(true), "{x}");
     }
 }
 
@@ -107,5 +111,10 @@ fn a_table_of_rooms() {
     assert_eq!(next(1, 1, 32), None);
     assert_eq!(next(0, -1, 0), None);
     assert_eq!(next(0, 8000, -8000), Some(((500, -500), Vec2::ZERO)));
+    // Over the top of the first two, and below the third: the nearest room.
+    assert_eq!(next(0, 31, -40), None);
+    assert_eq!(next(0, 33, -40), Some(((2, 0), Vec2::from_ints(1, -40))));
+    assert_eq!(next(1, -1, -40), Some(((0, 0), Vec2::from_ints(31, -40))));
+    assert_eq!(next(1, -1, 200), Some(((0, 2), Vec2::from_ints(31, 168))));
     assert_eq!(next(3, -1, 0), None);
 }

@@ -195,8 +195,9 @@ impl<S: Law> Mover<S> {
             carry: carry.vec2(),
             work: Work::default(),
         };
-        let mut pushes =
-            Pushes { solids, body, passes_one_way: self.passes_one_way(), room: Clearance::ALL, press: None };
+        let asking =
+            || Pushes { solids, body, passes_one_way: self.passes_one_way(), room: Clearance::ALL, press: None };
+        let mut pushes = asking();
         let mut d = carry;
         for _ in 0..Self::ROUNDS {
             let held = pushes.room.held();
@@ -215,7 +216,9 @@ impl<S: Law> Mover<S> {
             }
             d = next;
         }
-        if let Some(press) = pushes.press {
+        // Of a body that the level keeps from going along, the solids may pass it where it is.
+        let zero = Raw { x: 0, y: 0 };
+        if let Some(press) = pushes.press.filter(|_| asking().ask(zero, zero).is_some()) {
             ridden.ride = Ride::Squashed { by: press.key, normal: press.normal };
         }
         Ok(ridden)

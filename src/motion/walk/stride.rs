@@ -193,7 +193,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 // A body that is blocked at once does not creep along by roundings, unless they
                 // take it off its floor.
                 let lower = |ground: Ground| way(ground.drop()) > NEAR;
-                // Nor does a polygon end within a chord: mirrored, it would end a raw unit elsewhere.
+                // Nor does a polygon end within a chord: mirrored, it would end a raw unit aside.
                 let at_once = way(made) <= NEAR && (made.is_zero() || !self.look_down().is_none_or(lower));
                 if at_once || (on_chord && (B::ANGULAR || way(made) <= NEAR)) {
                     self.run.put_back(self.before);
@@ -352,7 +352,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     /// snap. Over a dome a leg ends a little higher than the floor beside such a wall.
     #[inline(never)]
     fn slip(&mut self, wall: &Ground) -> Option<Support> {
-        if !may_be_askew::<B, W>() || self.speed != 0 || wall.entry.step.is_some() {
+        if self.speed != 0 || wall.entry.step.is_some() {
             return None;
         }
         let down = project::<B, W, _>(along(self.up, -self.walker.snap), wall.entry.normal, &Smooth);
@@ -367,7 +367,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         let mut support = self.climbed.or_else(|| ground.as_ref().and_then(|ground| self.footing(ground)));
         if let (None, Some(ground)) = (support, &ground) {
             let near = self.run.floor_near(self.world, &self.walker.mover, self.up);
-            support = near.or_else(|| self.slip(ground));
+            support = if near.is_some() || !may_be_askew::<B, W>() { near } else { self.slip(ground) };
         }
         self.run.v =
             if support.is_some() { tangent(self.speed, self.up, self.against) } else { self.velocity(Toi::ONE) };
