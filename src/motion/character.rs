@@ -38,9 +38,9 @@ use crate::world::{Solids, World};
 #[doc(alias = "KinematicCharacterController")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Character<B = Aabb> {
-    /// Units per frame. Change it to throw the character: a spring or a stomp sets `velocity.y`, and
-    /// a ladder does in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step) adds gravity first, so a launch at -4 rises by
-    /// 3.75 in its first frame. (A jump at 4 rises by 4.)
+    /// Units per frame. Change it to throw the character: a spring or a stomp sets `velocity.y`, a
+    /// ladder does in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step) adds
+    /// gravity first: a launch at -4 rises by 3.75 in its first frame. (A jump at 4 rises by 4.)
     ///
     /// If you make it rise faster than the last step left it, it leaves its floor as by a jump, and
     /// has no coyote time. No release of the button cuts the rise.

@@ -239,7 +239,7 @@ impl<B: Body> Character<B> {
         // From a one-way solid it drops after the ride, which takes it along.
         let stands = self.floor.is_some_and(|floor| floor.one_way) && self.ridden().is_some();
         let mover = self.mover().with_drop_through(self.passes(drop) && !stands);
-        // What a walker or a motion cannot be is an error of the step, by the name that it has there.
+        // What no walker or motion can be is an error of the step, by the name that it has there.
         let follow = follow.clamp(Fx::ZERO, Fx::from_bits(MOTION - 1));
         let ride = |mover: &Mover| M::ride(mover, level, solids, &self.body, follow);
         let ridden = match ride(&mover) {

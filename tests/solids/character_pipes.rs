@@ -1,4 +1,4 @@
-//! A hero where quarter pipes and domes end: at walls, and at slopes that are too steep to stand on.
+//! A hero where quarter pipes and domes end: at walls, and at slopes that are too steep for it.
 
 use super::character::NOTHING;
 use tilesat::{
