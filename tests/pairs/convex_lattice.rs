@@ -87,16 +87,15 @@ fn rounded_triangles() {
 #[test]
 fn tiny_turned_boxes_and_discs() {
     let mut count = 0u64;
-    for half in [(1, 1), (1, 2), (2, 1), (3, 1), (2, 3), (1, 4)] {
+    for half in [(1, 1), (1, 2), (3, 1), (2, 3)] {
         for direction in (-3..=3).flat_map(|x| (-3..=3).map(move |y| (x, y))).filter(|d| *d != (0, 0)) {
             for radius in [0, 1] {
                 let turned = Shape::Turned { centre: (0, 0), half, direction, radius };
-                for centre in (-6..=6).flat_map(|x| (-6..=6).map(move |y| (x, y))) {
-                    for radius in 0..=3 {
-                        let disc = Shape::Circle { centre, radius };
-                        Pair::new(&turned, &disc).all();
-                        Pair::new(&disc, &turned).all();
-                        count += 2;
+                // Far enough for a point that is beyond two sides to be beside the end of one.
+                for centre in (-9..=9).flat_map(|x| (-9..=9).map(move |y| (x, y))) {
+                    for radius in [0, 1, 3, 8] {
+                        Pair::new(&turned, &Shape::Circle { centre, radius }).all();
+                        count += 1;
                     }
                 }
             }

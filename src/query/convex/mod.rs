@@ -2,9 +2,10 @@
 //! circles and segments.
 //!
 //! One mechanism for all pairs. A shape is a few corners with a radius around them, and a pair is
-//! the sum A + (-B), whose sides [`walk::Walk`] merges from theirs. Questions are about the origin
-//! and that polygon. Only pairs with one of these shapes come here: a game of boxes and circles
-//! links none of it.
+//! the sum A + (-B), whose sides [`walk::SideWalk`] merges from theirs. Questions are about the
+//! origin and that polygon. Frequent pairs have shorter ways to the same answers, as [`short`] and
+//! [`each_side`]. Only pairs with one of these shapes come here: a game of boxes and circles links
+//! none of it.
 
 mod across;
 mod box_point;
