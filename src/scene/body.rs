@@ -245,10 +245,6 @@ impl<S: BodyShape> Slot<S> {
         self.mode.is_awake()
     }
 
-    pub(super) fn is_asleep(&self) -> bool {
-        self.mode == Mode::Asleep
-    }
-
     /// Notes the sides to which it was pushed in vain, in a step that moved it by `made`: by the
     /// level, or since others pushed back.
     pub(super) fn block(&mut self, by_level: u8, made: Vec2) {

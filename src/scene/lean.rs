@@ -20,18 +20,14 @@ pub(super) fn down(weight: Vec2) -> Vec2 {
     toward(weight).unit().scaled(NEAR)
 }
 
-/// Whether one of two bodies that do not touch rests on the other one: one of them is fast, and
-/// one rests or sleeps.
-///
-/// What sleeps was held by it, and what is to sleep must do so with it.
+/// Whether one of two bodies rests on the other one, and one of them is fast. If they do not touch,
+/// they sleep and wake together all the same.
 pub(super) fn leans<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> bool {
     let rests = |upper: &Slot<S>, lower: &Slot<S>| {
         let weight = upper.body.weight(gravity);
         weight != Vec2::ZERO && upper.body.shape.shifted(down(weight)).contact(&lower.body.shape).is_some()
     };
-    (a.body.fast || b.body.fast)
-        && [a, b].iter().any(|slot| slot.is_asleep() || slot.quiet > 0)
-        && (rests(a, b) || rests(b, a))
+    (a.body.fast || b.body.fast) && (rests(a, b) || rests(b, a))
 }
 
 /// Joins a fast body that may fall asleep to the awake ones that hold it.

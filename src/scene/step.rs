@@ -254,16 +254,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let (slots, memory, mut woken, mut hits) = (&mut self.slots, &self.memory, 0, false);
         each_pair(&mut self.near, movers, |pair| {
             stepped.pairs += 1;
-            let Some((a, b)) = both(slots, pair) else { return };
-            if !a.body.shape.touches(&b.body.shape) {
-                if leans(a, b, gravity) && !senses(a, b) && replies.to(pair).acts() {
-                    for at in [pair.a, pair.b] {
-                        rouse(slots, room, &mut woken, at);
-                    }
-                    join(slots, pair);
-                }
-                return;
-            }
+            let Some((a, b)) = both(slots, pair).filter(|(a, b)| a.body.shape.touches(&b.body.shape)) else { return };
             let reply = replies.to(pair);
             if reply == Reply::Ignore {
                 return;
