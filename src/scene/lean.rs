@@ -22,12 +22,15 @@ pub(super) fn down(weight: Vec2) -> Vec2 {
 
 /// Whether one of two bodies rests on the other one, and one of them is fast. If they do not touch,
 /// they sleep and wake together all the same.
+#[inline(never)]
 pub(super) fn leans<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> bool {
-    let rests = |upper: &Slot<S>, lower: &Slot<S>| {
-        let weight = upper.body.weight(gravity);
-        weight != Vec2::ZERO && upper.body.shape.shifted(down(weight)).contact(&lower.body.shape).is_some()
-    };
-    (a.body.fast || b.body.fast) && (rests(a, b) || rests(b, a))
+    (a.body.fast || b.body.fast) && (rests(a, b, gravity) || rests(b, a, gravity))
+}
+
+#[inline(never)]
+fn rests<S: BodyShape>(upper: &Slot<S>, lower: &Slot<S>, gravity: Vec2) -> bool {
+    let weight = upper.body.weight(gravity);
+    weight != Vec2::ZERO && upper.body.shape.shifted(down(weight)).contact(&lower.body.shape).is_some()
 }
 
 /// Joins a fast body that may fall asleep to the awake ones that hold it.
