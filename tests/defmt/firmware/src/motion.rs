@@ -4,7 +4,7 @@ use crate::tell;
 use tilesat::{
     Aabb, Axis, Character, Circle, Feel, Fx, Input, Inside, Mover, Response, SlopeSpeed, Solid, TileKind, TileKinds,
     TileMap, Vec2, Walker, fx,
-    motion::{Memo, StartInside},
+    motion::{Memo, OnLeave, StartInside},
 };
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));
@@ -35,6 +35,7 @@ pub(crate) fn tell_all() {
     let walker = Walker::new(mover).with_snap(Fx::lit("3")).unwrap().with_step(Fx::lit("4.5")).unwrap();
     tell(&walker);
     tell(&SlopeSpeed::Projected);
+    tell(&OnLeave::Keep);
     let walked = walker.walk(&level, &moved.body, Vec2::from_ints(-2, 0), None).unwrap();
     tell(&walked);
     tell(&walked.floor.unwrap());
