@@ -9,6 +9,12 @@ const fn below<const CLOSED: bool>(a: i32, b: i32) -> bool {
     if CLOSED { a <= b } else { a < b }
 }
 
+/// The same for squares of distances and of radii.
+#[inline(always)]
+pub(crate) const fn is_within<const CLOSED: bool>(square: u64, limit: u64) -> bool {
+    square < limit || (CLOSED && square == limit)
+}
+
 /// Whether two intervals meet. Strict comparison is right for intervals of no length too: they meet
 /// an interval that has the point inside.
 #[inline]
@@ -64,8 +70,7 @@ pub(super) const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> b
 
 #[inline]
 pub(super) const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bool {
-    let (square, limit) = (usqr(x).wrapping_add(usqr(y)), usqr(r));
-    square < limit || (CLOSED && square == limit)
+    is_within::<CLOSED>(usqr(x).wrapping_add(usqr(y)), usqr(r))
 }
 
 /// A call, one for both: the frequent cases then need no registers saved.
@@ -85,8 +90,7 @@ const fn squares_out_of_line(x: u32, y: u32, r: u32) -> Ordering {
 #[inline]
 pub(crate) const fn circle_circle<const CLOSED: bool>(a: Raw, b: Raw, r: i32) -> bool {
     if LONG {
-        let (square, limit) = (b.sub(a).len2(), usqr(r as u32));
-        return square < limit || (CLOSED && square == limit);
+        return is_within::<CLOSED>(b.sub(a).len2(), usqr(r as u32));
     }
     in_disc::<CLOSED>(a.x.abs_diff(b.x), a.y.abs_diff(b.y), r as u32)
 }
@@ -111,8 +115,8 @@ pub(crate) const fn circle_aabb<const CLOSED: bool>(c: Raw, r: i32, lo: Raw, hi:
     if LONG {
         // No branch that a processor predicts wrongly: where half of the pairs hit, this takes a
         // quarter of the time, with 36 instructions instead of 30.
-        let (square, limit) = (Raw { x: outside(gx), y: outside(gy) }.len2(), usqr(r as u32));
-        return square < limit || (CLOSED && square == limit) || (gx & gy) < 0;
+        let square = Raw { x: outside(gx), y: outside(gy) }.len2();
+        return is_within::<CLOSED>(square, usqr(r as u32)) || (gx & gy) < 0;
     }
     circle_gaps::<CLOSED>(gx, gy, r)
 }
@@ -153,7 +157,7 @@ pub(crate) const fn circle_segment<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b
 #[inline(always)]
 const fn by_region<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b: Raw) -> bool {
     let (e, m) = (Offset::between(a, b), Offset::between(a, c));
-    let (dot, len2, limit) = (e.dot(m), e.dot(e), usqr(r as u32));
+    let (dot, len2) = (e.dot(m), e.dot(e));
     let square = if dot <= 0 {
         m.len2()
     } else if dot >= len2 {
@@ -162,7 +166,7 @@ const fn by_region<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b: Raw) -> bool {
     } else {
         return near_line::<CLOSED>(e.cross(m), r, len2 as u64);
     };
-    square < limit || (CLOSED && square == limit)
+    is_within::<CLOSED>(square, usqr(r as u32))
 }
 
 /// A difference of two points inside the domain, as wide as a register.

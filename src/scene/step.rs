@@ -225,11 +225,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if M > 0 {
             self.disturb(gravity);
         }
-        // Each wakes what it touches below, and here what rests on it without touching it.
-        let woken = |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.mode == Mode::Woken);
-        let first = self.awake().iter().position(woken).unwrap_or(awake);
-        begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
+        let first = begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, replies, each);
+        // The woken ones have woken what they touch. Here they wake what rests on them besides.
         if self.count > first {
             self.wake_along(first, gravity, replies);
             stepped.woken = (self.count - awake) as u16;
@@ -411,9 +409,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle], gravity: Vec2) {
-    for handle in awake.iter().filter(|handle| !is_idle(memory, handle.slot())) {
+/// Begins a step of all bodies that make one. Returns from where on the list has bodies that were
+/// woken since the last step began.
+fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle], gravity: Vec2) -> usize {
+    let mut first = awake.len();
+    for (at, handle) in awake.iter().enumerate().filter(|(_, handle)| !is_idle(memory, handle.slot())) {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };
+        if slot.mode == Mode::Woken {
+            first = first.min(at);
+        }
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
         slot.mode = Mode::Awake;
         // A body that lay on others may be a raw unit above them. It then touches nobody.
@@ -421,4 +425,5 @@ fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle]
         (slot.way.pace, slot.way.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);
         slot.body.velocity += slot.body.weight(gravity);
     }
+    first
 }

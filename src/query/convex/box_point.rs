@@ -4,7 +4,7 @@ use super::across::over;
 use super::nearness::{Least, Nearness, Unsure};
 use crate::num::{Raw, div_sqrt, isqrt64, usqr};
 use crate::query::contact::Contact;
-use crate::query::meet::{Offset, near_line};
+use crate::query::meet::{Offset, is_within, near_line};
 use crate::shape::Convex;
 
 /// A point seen from the middle of a box with area.
@@ -49,10 +49,7 @@ impl Part {
         match self {
             Self::Inside(u, v) => CLOSED || radius > 0 || (*u > 0 && *v > 0),
             Self::Side(side, height) => near_line::<CLOSED>(*height, radius, side.half.len2()),
-            Self::Corner(way) => {
-                let (square, limit) = (way.len2(), usqr(radius as u32));
-                square < limit || (CLOSED && square == limit)
-            }
+            Self::Corner(way) => is_within::<CLOSED>(way.len2(), usqr(radius as u32)),
         }
     }
 }

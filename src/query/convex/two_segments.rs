@@ -3,7 +3,7 @@
 use super::place::{NearestCorner, Place};
 use super::walk::PolygonSide;
 use crate::num::{Raw, usqr};
-use crate::query::meet::{Offset, near_line};
+use crate::query::meet::{Offset, is_within, near_line};
 
 /// Two segments, and where the ends of each are relative to the line of the other one.
 pub(super) struct TwoSegments {
@@ -122,6 +122,5 @@ const fn near_end<const CLOSED: bool>(from: Offset, edge: Offset, height: i64, r
     } else {
         return Some(true);
     };
-    let (square, limit) = (corner.len2(), usqr(radius as u32));
-    if square < limit || (CLOSED && square == limit) { Some(true) } else { None }
+    if is_within::<CLOSED>(corner.len2(), usqr(radius as u32)) { Some(true) } else { None }
 }
