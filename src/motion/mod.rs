@@ -96,12 +96,14 @@
 
 mod along;
 mod block_entry;
+mod block_lines;
 mod blocks;
 mod body;
 mod cast;
 mod character;
 mod contact;
 mod feel;
+mod first_leg;
 mod inside;
 mod look_ahead;
 mod memo;

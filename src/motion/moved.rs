@@ -85,7 +85,8 @@ pub struct Work {
     /// Sweeps of the whole remaining motion, at most
     /// [`Mover::ITERATIONS`](super::Mover::ITERATIONS).
     pub iterations: u32,
-    /// Features that were swept against.
+    /// Features that were swept against. For a box among blocks, the lines of the grid that it
+    /// looked behind.
     pub features: u32,
     /// Exact overlap tests of the level.
     pub checks: u32,

@@ -1,12 +1,12 @@
 //! The movement loop: sweep, verify, commit, respond.
 
-use super::body::{Body, Entry};
+use super::body::Body;
 use super::order::First;
-use super::plane::{SlopeLimit, SurfaceRole, may_be_askew};
+use super::plane::{SlopeLimit, may_be_askew};
 use super::response::{Bounce, ByFlags, ByHit, Law, Response, Responses, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
-use super::search::{Around, Search, check_cells, piece_of};
-use super::{Hit, Hits, MoveError, Moved, StartInside, Stuck, Work};
+use super::search::{Around, check_cells};
+use super::{Hit, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::world::{Feature, World};
 
@@ -271,93 +271,9 @@ impl<S: Law> Mover<S> {
         self.run_into(world, body, velocity, pieces, &mut around)
     }
 
-    /// A separate function: most bodies fly, and need no stack for the rest.
-    #[inline(never)]
-    fn run_into<W: World, B: Body>(
-        &self,
-        world: &W,
-        body: &B,
-        velocity: Vec2,
-        pieces: u32,
-        around: &mut Around,
-    ) -> Result<Moved<B>, MoveError> {
-        let d = Raw::of(velocity);
-        let mut work = Work { iterations: 1, features: 0, checks: 0 };
-        let bounds = body.bounds();
-        // The body's own position has already been looked at.
-        let free = around.is_free_in_sight(&piece_of(&bounds, Raw::ZERO, Raw::ZERO, 1));
-        let inside = !free && self.is_inside(world, body, &mut work)?;
-        check_inside(&bounds, d)?;
-        let mut first = First::none();
-        let mut search = Search::new(body, around);
-        search.find_first_in(world, pieces, d, &mut first);
-        let guarded = search.guarded;
-        work.features = search.features;
-        if let Some((entry, feature)) = first.hit::<B, W>(body, d) {
-            if self.rests(d, entry, feature) {
-                let side = self.side(entry.normal);
-                return Ok(Moved {
-                    body: *body,
-                    velocity: Vec2::ZERO,
-                    remaining: Vec2::ZERO,
-                    hits: Hits::one(Hit::of(entry.normal, feature, Toi::ZERO)),
-                    floor: side == SurfaceRole::Floor,
-                    wall: side == SurfaceRole::Wall,
-                    ceiling: side == SurfaceRole::Ceiling,
-                    flags: feature.flags,
-                    work,
-                });
-            }
-        }
-        self.go_on(world, body, velocity, around, &mut first, &FirstHit { work, inside, guarded })
-    }
-
     /// The response to a hit of this feature.
     pub(super) fn response_to(&self, normal: Axis, feature: &Feature, toi: Toi) -> Response {
         self.surface.response_to(&Hit::of(normal, feature, toi)).unwrap_or(self.response)
-    }
-
-    /// Whether a hit takes all of a motion and leaves nothing, as for most resting bodies. The
-    /// answer is that of [`respond`](Self::respond), found without the work that other hits need.
-    ///
-    /// The body touches the face, so it makes none of the motion. The motion is straight into the
-    /// face, so no part is left along it, for friction neither. A single plane along x or y leaves
-    /// nothing askew that could [wedge](Self::wedge) the body.
-    fn rests(&self, d: Raw, entry: &Entry, feature: &Feature) -> bool {
-        let Entry { num, normal, at_end, ref step, .. } = *entry;
-        let straight = (normal.x == 0 && d.x == 0) || (normal.y == 0 && d.y == 0);
-        num == 0
-            && step.is_none()
-            && !at_end
-            && straight
-            && !(feature.one_way && self.passes_one_way())
-            && match self.response_to(normal, feature, Toi::ZERO) {
-                Response::Touch => false,
-                Response::Slide | Response::DropThrough => true,
-                Response::Bounce => self.surface.surface().stops(d, normal),
-            }
-    }
-
-    /// Continues a motion after its first hit has been found.
-    #[inline(never)]
-    fn go_on<W: World, B: Body>(
-        &self,
-        world: &W,
-        body: &B,
-        velocity: Vec2,
-        around: &mut Around,
-        first: &mut First,
-        found: &FirstHit,
-    ) -> Result<Moved<B>, MoveError> {
-        let mut moved = Moved::freely(*body, velocity, 0);
-        moved.work = found.work;
-        let mut run = Run::new(&mut moved, around);
-        (run.inside, run.guarded) = (found.inside, found.guarded);
-        if !self.follow::<W, B, false>(world, &mut run, Raw::of(velocity), first) {
-            self.slide::<W, B, false>(world, &mut run, first)?;
-        }
-        run.end::<W>();
-        moved.told()
     }
 
     pub(super) fn start<'m, W: World, B: Body>(
@@ -377,13 +293,16 @@ impl<S: Law> Mover<S> {
     }
 
     /// Whether the body overlaps the level, if that is no error.
-    fn is_inside<W: World, B: Body>(&self, world: &W, body: &B, work: &mut Work) -> Result<bool, Stuck> {
+    pub(super) fn is_inside<W: World, B: Body>(&self, world: &W, body: &B, work: &mut Work) -> Result<bool, Stuck> {
         work.checks += 1;
         let inside = body.overlaps_world(world);
-        if inside && self.inside == StartInside::Report {
-            return Err(Stuck { at: body.position().raw() });
-        }
-        Ok(inside)
+        self.check_start(body, inside).map(|()| inside)
+    }
+
+    /// Refuses a body that starts inside the solid, if that is an error.
+    pub(super) fn check_start<B: Body>(&self, body: &B, inside: bool) -> Result<(), Stuck> {
+        let stuck = inside && self.inside == StartInside::Report;
+        if stuck { Err(Stuck { at: body.position().raw() }) } else { Ok(()) }
     }
 
     /// Makes the motion. With `WALKS`, it ends at the first floor.
@@ -408,7 +327,7 @@ impl<S: Law> Mover<S> {
 
     /// Makes a motion up to its first hit. Returns whether the motion is complete.
     #[inline(never)]
-    fn follow<W: World, B: Body, const WALKS: bool>(
+    pub(super) fn follow<W: World, B: Body, const WALKS: bool>(
         &self,
         world: &W,
         run: &mut Run<'_, B>,
@@ -440,11 +359,4 @@ impl<S: Law> Mover<S> {
         }
         run.v.is_zero() || (WALKS && run.moved.floor && !run.falls)
     }
-}
-
-/// The results known when a motion has found its first hit.
-struct FirstHit {
-    work: Work,
-    inside: bool,
-    guarded: bool,
 }

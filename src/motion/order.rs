@@ -59,6 +59,12 @@ impl First {
         self.round.put(entry, feature);
     }
 
+    /// Takes a hit of a face, the only one.
+    #[inline]
+    pub(super) fn only_flat(&mut self, entry: Entry, feature: Feature) {
+        self.flat = Candidate { entry: Some(entry), feature: Some(feature) };
+    }
+
     #[inline(never)]
     pub(super) fn add<B: Body, W: World>(&mut self, entry: &Entry, feature: &Feature, d: Raw) {
         let all_flat = W::BLOCKS && !B::MEETS_CORNERS;

@@ -2,6 +2,7 @@
 //! and their order.
 
 use super::Mover;
+use super::block_lines::is_by_lines;
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::{into, way};
@@ -50,8 +51,8 @@ impl Around {
     /// In how many [pieces] the cells under the motion of a call are visited. Returns 0 if the body
     /// meets nothing anywhere on its motion and flies, as most bodies do. Only this first look
     /// distinguishes the cells that the body passes. In later looks the body is near what it has
-    /// met, and that took 3 % more instructions than it saved. Unless it `looks`, any number above
-    /// 1 stands for several.
+    /// met, and that took 3 % more instructions than it saved. Unless it `looks`, and for a box
+    /// among blocks, any number above 1 stands for several.
     ///
     /// # Errors
     /// If the motion visits too many cells.
@@ -67,7 +68,7 @@ impl Around {
         check_cells(world, &bounds, d)?;
         // Most motions are one piece, and this is all that most bodies run.
         let is_one = way(d) <= piece_length(world, &bounds);
-        if !is_one && !looks {
+        if is_by_lines::<W, B>() || (!is_one && !looks) {
             let empty = world.is_known_empty(&piece_of(&bounds, Raw::ZERO, d, 1));
             return Ok(if empty { 0 } else { 2 });
         }
@@ -170,6 +171,9 @@ impl<'a, B: Body> Search<'a, B> {
     /// in the motion's length. The sweeps themselves always see the whole motion.
     #[inline(never)]
     pub(super) fn find_first<W: World>(&mut self, world: &W, d: Raw, first: &mut First) {
+        if is_by_lines::<W, B>() {
+            return self.find_by_lines(world, d, first);
+        }
         let bounds = self.body.bounds();
         match pieces(world, &bounds, d) {
             1 => {
@@ -183,6 +187,9 @@ impl<'a, B: Body> Search<'a, B> {
 
     /// The same for a motion in so many pieces. If it is one, the level has been looked at.
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
+        if is_by_lines::<W, B>() {
+            return self.find_by_lines(world, d, first);
+        }
         if pieces == 1 {
             match self.around.known_cells() {
                 Some(mut cells) if W::GRID => self.meet_cells(world, &mut cells, d, first),
@@ -201,6 +208,10 @@ impl<'a, B: Body> Search<'a, B> {
     /// without: the code of strips would add 1 000 bytes to each of them, and 1 % to short motions.
     #[inline(never)]
     pub(super) fn find_on_way<W: World>(&mut self, world: &W, d: Raw, first: &mut First) -> bool {
+        if is_by_lines::<W, B>() {
+            self.find_by_lines(world, d, first);
+            return true;
+        }
         let mut way = world.way(&self.body.bounds(), self.body.rounding(), d);
         self.meet_cells(world, &mut way, d, first);
         self.find_cusp(world, d, first);

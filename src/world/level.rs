@@ -4,6 +4,7 @@
 use super::cell::{Block, Cell, Cells, Way};
 use super::convex::ConvexBody;
 use super::tile_map::kind::Fill;
+use super::tile_map::lines::{BlockHit, Lines};
 use crate::num::{Axis, Raw, Vec2, imul};
 use crate::shape::{Aabb, Circle};
 
@@ -280,6 +281,27 @@ pub trait World: sealed::Sealed {
     #[doc(hidden)]
     fn next_on_way(&self, way: &mut Way) -> Option<Block> {
         let _ = way;
+        None
+    }
+
+    /// The lines of a grid of blocks that a box comes to on its way.
+    #[doc(hidden)]
+    fn lines(&self, bounds: &Aabb, d: Raw) -> Lines {
+        let _ = (bounds, d);
+        Lines::NONE
+    }
+
+    /// Whether the box overlaps something where such a way starts.
+    #[doc(hidden)]
+    fn starts_inside(&self, lines: &Lines, bounds: &Aabb) -> bool {
+        let _ = lines;
+        self.overlaps_aabb(bounds)
+    }
+
+    /// The hit at the next line that has one. Counts the cells there that hold something.
+    #[doc(hidden)]
+    fn next_block(&self, lines: &mut Lines, pass_one_way: bool, seen: &mut u32) -> Option<BlockHit> {
+        let _ = (lines, pass_one_way, seen);
         None
     }
 

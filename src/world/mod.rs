@@ -90,6 +90,7 @@ pub use solids::solid::{Side, Solid};
 pub use tile_map::features::Features;
 pub(crate) use tile_map::kind::Fill;
 pub use tile_map::kind::{TileKind, TileKinds, TileShape};
+pub(crate) use tile_map::lines::BlockHit;
 pub use tile_map::ray::RayHits;
 pub(crate) use tile_map::region::probe;
 pub use tile_map::region::{Probe, TileAt, Tiles};

@@ -4,6 +4,7 @@ use super::cell::{Block, Cells, Way};
 use super::convex::ConvexBody;
 use super::level::{Feature, MotionPiece, Seen, World, sealed};
 use super::tile_map::kind::Fill;
+use super::tile_map::lines::{BlockHit, Lines};
 use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle};
 use core::cell::Cell;
@@ -148,6 +149,18 @@ impl<W: World> World for Traced<'_, W> {
 
     fn next_on_way(&self, way: &mut Way) -> Option<Block> {
         self.world.next_on_way(way)
+    }
+
+    fn lines(&self, bounds: &Aabb, d: Raw) -> Lines {
+        self.world.lines(bounds, d)
+    }
+
+    fn starts_inside(&self, lines: &Lines, bounds: &Aabb) -> bool {
+        self.world.starts_inside(lines, bounds)
+    }
+
+    fn next_block(&self, lines: &mut Lines, pass_one_way: bool, seen: &mut u32) -> Option<BlockHit> {
+        self.world.next_block(lines, pass_one_way, seen)
     }
 
     fn corners(&self, block: &Block) -> (Raw, Raw) {

@@ -14,6 +14,7 @@ extern crate std;
 
 mod ahead;
 mod arcs;
+mod block_lines;
 mod convex;
 mod convex_arcs;
 mod order;

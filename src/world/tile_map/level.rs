@@ -12,6 +12,7 @@ use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::Fill;
+use crate::world::tile_map::lines::{BlockHit, Lines};
 
 impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
 
@@ -64,6 +65,21 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     #[inline]
     fn next_on_way(&self, way: &mut Way) -> Option<Block> {
         TileMap::next_on_way(self, way)
+    }
+
+    #[inline]
+    fn lines(&self, bounds: &Aabb, d: Raw) -> Lines {
+        TileMap::lines(self, bounds, d)
+    }
+
+    #[inline]
+    fn starts_inside(&self, lines: &Lines, bounds: &Aabb) -> bool {
+        TileMap::starts_inside(self, lines, bounds)
+    }
+
+    #[inline]
+    fn next_block(&self, lines: &mut Lines, pass_one_way: bool, seen: &mut u32) -> Option<BlockHit> {
+        TileMap::next_block(self, lines, pass_one_way, seen)
     }
 
     #[inline]

@@ -1,0 +1,372 @@
+//! The first side of a cell that a moving box comes to among blocks, found line by line.
+//!
+//! A box enters a full cell only where its front comes to a line of the grid. At that moment the
+//! cells behind the line that the box spans decide. Lines come in the order of time, so the first
+//! one with a hit ends the search.
+
+use super::{Outside, Set, Store, TileMap, merged};
+use crate::num::{Raw, umul};
+use crate::shape::Aabb;
+use crate::world::grid::GridAxis;
+use crate::world::tile_map::kind::TileKind;
+use core::cmp::Ordering;
+
+/// The lines along both axes that the front of a box comes to. It comes to none at the very end of
+/// its motion, where it would enter nothing.
+///
+/// Public in a private module, because a sealed trait's methods name it.
+#[derive(Clone, Copy, Debug)]
+pub struct Lines {
+    x: Sides,
+    y: Sides,
+    /// Whether the box has an area, and all of its way is in the map.
+    in_map: bool,
+}
+
+/// The two sides of a box across an axis, and the cells along that axis. Distances are in the
+/// direction of the motion, from where the box starts.
+///
+/// ```text
+///     way ----------->
+///     |   |   +-------|---+   |       lead: the cell behind the front
+///     |   |   | box   |   |   |       rear: the cell before the rear
+///     |   |   +-------|---+   |
+///          rear        lead gap
+/// ```
+///
+/// A box without an extent on a line has its front at the end of one cell and its rear at the start
+/// of the next: `rear` is then a step beyond `lead`.
+#[derive(Clone, Copy, Debug)]
+struct Sides {
+    /// The length of the motion.
+    way: i32,
+    /// To the next cell, 1 or -1.
+    step: i32,
+    /// The cell behind the front, and how far the front is from its end.
+    lead: i32,
+    gap: i32,
+    /// The cell before the rear, and how far the rear is from its end.
+    rear: i32,
+    far: i32,
+    /// The last cell: it has no end.
+    last: i32,
+    /// From a tile to the next one along this axis, in the map's data.
+    stride: i32,
+}
+
+/// A hit of the side of a full or one-way cell.
+///
+/// Public in a private module, because a sealed trait's methods name it.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockHit {
+    /// The cell, and the flags of all cells whose sides are one surface with its side.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    pub(crate) flags: u8,
+    pub(crate) one_way: bool,
+    /// Whether the side is across x, and the step of the motion over it.
+    pub(crate) is_x: bool,
+    pub(crate) step: i32,
+    /// Whether the box meets only the end of the side, corner to corner.
+    pub(crate) at_end: bool,
+    /// The moment as a part of the motion: a numerator and a denominator.
+    pub(crate) num: i32,
+    pub(crate) den: i32,
+}
+
+impl Lines {
+    pub(crate) const NONE: Self = {
+        let none = Sides { way: 0, step: 1, lead: 0, gap: 0, rear: 0, far: 0, last: 0, stride: 0 };
+        Self { x: none, y: none, in_map: false }
+    };
+
+    /// Which axis has the next line, or both at once. `None` after the last one.
+    #[inline]
+    fn next(&self) -> Option<Ordering> {
+        match (self.x.gap < self.x.way, self.y.gap < self.y.way) {
+            (true, true) => Some(self.x.compare(self.x.gap, &self.y, self.y.gap)),
+            (true, false) => Some(Ordering::Less),
+            (false, true) => Some(Ordering::Greater),
+            (false, false) => None,
+        }
+    }
+}
+
+impl Sides {
+    /// Compares the moment at which these sides have moved by `far` with that at which others have
+    /// moved by `gap`. A way that has not begun is at none before the others.
+    #[inline]
+    fn compare(&self, far: i32, other: &Self, gap: i32) -> Ordering {
+        if gap == 0 {
+            return far.cmp(&0);
+        }
+        umul(far as u32, other.way as u32).cmp(&umul(gap as u32, self.way as u32))
+    }
+
+    /// The last cell has no end.
+    const fn end_at_last(&mut self) {
+        if self.lead == self.last {
+            self.gap = i32::MAX;
+        }
+        if self.rear == self.last {
+            self.far = i32::MAX;
+        }
+    }
+
+    /// The cell after one, and how far its end is.
+    #[inline]
+    const fn after(&self, index: i32, gap: i32, cell: i32) -> (i32, i32) {
+        let next = index.wrapping_add(self.step);
+        (next, if next == self.last { i32::MAX } else { gap.wrapping_add(cell) })
+    }
+}
+
+/// One surface of sides in a line: the first of its cells, and the flags of all.
+#[derive(Clone, Copy)]
+struct Surface {
+    /// Of the cell along the line, or [`NOWHERE`].
+    index: i32,
+    flags: u8,
+    one_way: bool,
+    at_end: bool,
+}
+
+/// The index of no cell.
+const NOWHERE: i32 = i32::MIN;
+
+impl Surface {
+    const NONE: Self = Self { index: NOWHERE, flags: 0, one_way: true, at_end: false };
+
+    /// Solid goes before one-way, and then the smaller index. Cells come by their index.
+    #[inline]
+    const fn join(&mut self, index: i32, kind: TileKind) {
+        self.flags |= kind.flags;
+        if self.index == NOWHERE || (self.one_way && kind.is_full()) {
+            (self.index, self.one_way) = (index, !kind.is_full());
+        }
+    }
+
+    const fn is_none(self) -> bool {
+        self.index == NOWHERE
+    }
+}
+
+/// What the search for a side asks besides the geometry.
+#[derive(Clone, Copy)]
+#[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
+struct Asked {
+    /// Whether the line is across x.
+    is_x: bool,
+    /// Whether the box comes to a line of the other axis at the same moment.
+    tie: bool,
+    in_map: bool,
+    pass_one_way: bool,
+}
+
+impl Asked {
+    /// Whether a cell stops the motion over a line, if nothing covers its side.
+    #[inline(never)]
+    const fn is_stopped(self, kind: TileKind, step: i32) -> bool {
+        match kind.one_way_side() {
+            Some(side) => !self.pass_one_way && (side & 1 == 1) == self.is_x && (side == 0 || side == 3) == (step > 0),
+            None => kind.is_full(),
+        }
+    }
+}
+
+impl<S: Set, T: Store> TileMap<'_, S, T> {
+    /// The lines that a box comes to on its way.
+    pub(in crate::world) const fn lines(&self, bounds: &Aabb, d: Raw) -> Lines {
+        let (lo, hi) = (bounds.lo(), bounds.hi());
+        let inside = if lo.x < hi.x && lo.y < hi.y { self.range_inside(lo, hi) } else { None };
+        let range = match inside {
+            Some(range) => range,
+            None => self.open_range(lo, hi),
+        };
+        let mut lines = Lines {
+            x: self.sides((lo.x, hi.x), d.x, (range.x0, range.x1), &self.grid.x, 1),
+            y: self.sides((lo.y, hi.y), d.y, (range.y0, range.y1), &self.grid.y, self.stride as i32),
+            in_map: inside.is_some(),
+        };
+        let (to_x, to_y) = (d.x.wrapping_sub(self.grid.x.origin), d.y.wrapping_sub(self.grid.y.origin));
+        let (x0, y0) = (lo.x.wrapping_add(to_x), lo.y.wrapping_add(to_y));
+        let (x1, y1) = (hi.x.wrapping_add(to_x), hi.y.wrapping_add(to_y));
+        if !lines.in_map || (x0 | y0 | self.grid.x.size.wrapping_sub(x1) | self.grid.y.size.wrapping_sub(y1)) < 0 {
+            lines.in_map = false;
+            lines.x.end_at_last();
+            lines.y.end_at_last();
+        }
+        lines
+    }
+
+    #[inline(always)]
+    const fn sides(
+        &self,
+        (lo, hi): (i32, i32),
+        d: i32,
+        (first, last): (i32, i32),
+        axis: &GridAxis,
+        stride: i32,
+    ) -> Sides {
+        let (start, end) = (lo.wrapping_sub(axis.origin), hi.wrapping_sub(axis.origin));
+        let from = start.wrapping_sub(self.grid.line(first));
+        let to = self.grid.line(last.wrapping_add(1)).wrapping_sub(end);
+        // The cells are as long as what is before the box, the box, and what is after it.
+        let all = self.grid.line(last.wrapping_sub(first)).wrapping_sub(end.wrapping_sub(start));
+        if d < 0 {
+            let far = from.wrapping_sub(all);
+            Sides { way: d.wrapping_neg(), step: -1, lead: first, gap: from, rear: last, far, last: -1, stride }
+        } else {
+            let far = to.wrapping_sub(all);
+            Sides { way: d, step: 1, lead: last, gap: to, rear: first, far, last: axis.count as i32, stride }
+        }
+    }
+
+    /// Whether a box overlaps a full cell where its way starts.
+    pub(in crate::world) fn starts_inside(&self, lines: &Lines, bounds: &Aabb) -> bool {
+        if !lines.in_map {
+            return self.overlaps(bounds);
+        }
+        let (x, y) = (&lines.x, &lines.y);
+        let (x0, x1) = if x.step < 0 { (x.lead, x.rear) } else { (x.rear, x.lead) };
+        let (mut row, last) = if y.step < 0 { (y.lead, y.rear) } else { (y.rear, y.lead) };
+        while row <= last {
+            let (mut column, mut tile) = (x0, self.place(x0, row));
+            while column <= x1 {
+                if self.kinds.get(self.id_at(tile)).is_full() {
+                    return true;
+                }
+                (column, tile) = (column.wrapping_add(1), tile.wrapping_add(1));
+            }
+            row = row.wrapping_add(1);
+        }
+        false
+    }
+
+    /// The hit at the next line that has one. Counts the lines.
+    pub(in crate::world) fn next_block(
+        &self,
+        lines: &mut Lines,
+        pass_one_way: bool,
+        seen: &mut u32,
+    ) -> Option<BlockHit> {
+        loop {
+            let next = lines.next()?;
+            let Lines { x, y, in_map } = lines;
+            let asked = Asked { is_x: true, tie: next.is_eq(), in_map: *in_map, pass_one_way };
+            let (mut found, mut is_x) = (Surface::NONE, true);
+            if next.is_le() {
+                *seen = seen.wrapping_add(1);
+                found = self.behind(x, y, asked);
+            }
+            if next.is_ge() {
+                *seen = seen.wrapping_add(1);
+                let other = self.behind(y, x, Asked { is_x: false, ..asked });
+                // Of the same moment: not at an end, else the side that opposes the motion more,
+                // else the one across x.
+                let goes_first = found.is_none()
+                    || (!other.is_none() && if found.at_end == other.at_end { y.way > x.way } else { found.at_end });
+                if goes_first {
+                    (found, is_x) = (other, false);
+                }
+            }
+            if !found.is_none() {
+                return Some(self.block_hit(if is_x { x } else { y }, is_x, found));
+            }
+            let cell = self.grid.cell;
+            if next.is_le() {
+                (x.lead, x.gap) = x.after(x.lead, x.gap, cell);
+            }
+            if next.is_ge() {
+                (y.lead, y.gap) = y.after(y.lead, y.gap, cell);
+            }
+        }
+    }
+
+    fn block_hit(&self, across: &Sides, is_x: bool, found: Surface) -> BlockHit {
+        let Surface { index, flags, one_way, at_end } = found;
+        let at = across.lead.wrapping_add(across.step);
+        let (mut x, mut y) = if is_x { (at, index) } else { (index, at) };
+        if let Outside::Edge = self.outside {
+            // A border cell stands for all beyond it.
+            (x, y) = (merged(x, self.grid.x.count), merged(y, self.grid.y.count));
+        }
+        BlockHit { x, y, flags, one_way, is_x, step: across.step, at_end, num: across.gap, den: across.way }
+    }
+
+    /// The side of the cells behind a line that the front comes to.
+    #[inline(never)]
+    fn behind(&self, across: &Sides, aside: &mut Sides, asked: Asked) -> Surface {
+        // The rear, at the moment at which the front is at the line.
+        while aside.far < aside.way && aside.compare(aside.far, across, across.gap).is_le() {
+            (aside.rear, aside.far) = aside.after(aside.rear, aside.far, self.grid.cell);
+        }
+        if asked.tie || !asked.in_map {
+            return self.behind_at_corner(across, aside, asked);
+        }
+        let (mut index, last) = if aside.step < 0 { (aside.lead, aside.rear) } else { (aside.rear, aside.lead) };
+        let over = across.step.wrapping_mul(across.stride);
+        let before = across.lead.wrapping_mul(across.stride).wrapping_add(index.wrapping_mul(aside.stride));
+        let mut tile = before.wrapping_add(over) as u32;
+        let mut found = Surface::NONE;
+        while index <= last {
+            let id = self.id_at(tile);
+            if !self.kinds.is_empty(id) {
+                let kind = self.kinds.get(id);
+                let stops = kind.is_full() || asked.is_stopped(kind, across.step);
+                if stops && !self.kinds.get(self.id_at(tile.wrapping_sub(over as u32))).is_full() {
+                    found.join(index, kind);
+                }
+            }
+            (index, tile) = (index.wrapping_add(1), tile.wrapping_add(aside.stride as u32));
+        }
+        found
+    }
+
+    /// The same where the box comes to a corner of cells, or cells are beyond the map.
+    ///
+    /// ```text
+    ///            | B |       A: the last cell that the box spans. With a tie, its corner
+    ///        +---+---+       is at the start of B. It enters B through the end of its side,
+    ///        |   | A |       or, if that goes on along A, through the middle of a side.
+    ///        |box|   |
+    /// ```
+    ///
+    /// A box without an extent along the line, and on a line across, spans no cell. It is stopped
+    /// where A's side goes on along B, or at the end of B's if it moves that way.
+    #[inline(never)]
+    fn behind_at_corner(&self, across: &Sides, aside: &Sides, asked: Asked) -> Surface {
+        let beyond = aside.lead.wrapping_add(aside.step);
+        let thin = aside.rear == beyond;
+        let from = if thin { aside.lead } else { aside.rear };
+        let to = if thin || asked.tie { beyond } else { aside.lead };
+        let (mut index, last) = if aside.step < 0 { (to, from) } else { (from, to) };
+        let at = across.lead.wrapping_add(across.step);
+        let kind_of = |across: i32, aside: i32| {
+            if asked.is_x { self.kind_at(across, aside) } else { self.kind_at(aside, across) }
+        };
+        let covered = |index: i32| kind_of(across.lead, index).is_full();
+        // Whether the side of a cell goes on along another: solid along solid, and a one-way one
+        // along all that blocks the same way.
+        let goes_on = |one_way: bool, along: i32| {
+            let kind = kind_of(at, along);
+            kind.is_full() || (one_way && asked.is_stopped(kind, across.step) && !covered(along))
+        };
+        let (mut whole, mut end) = (Surface::NONE, Surface { at_end: true, ..Surface::NONE });
+        while index <= last {
+            let kind = kind_of(at, index);
+            if asked.is_stopped(kind, across.step) && !covered(index) {
+                let one_way = !kind.is_full();
+                if index == beyond && !goes_on(one_way, aside.lead) {
+                    if asked.tie {
+                        end.join(index, kind);
+                    }
+                } else if index == beyond || !thin || goes_on(one_way, beyond) {
+                    whole.join(index, kind);
+                }
+            }
+            index = index.wrapping_add(1);
+        }
+        if whole.is_none() { end } else { whole }
+    }
+}
