@@ -254,6 +254,11 @@ impl<S: BodyShape> Slot<S> {
         self.blocked = still(still(self.blocked, low, made), high, made) | by_level | by_others;
     }
 
+    /// Whether it lay on other bodies in the last step.
+    pub(super) fn lies(&self, gravity: Vec2) -> bool {
+        gravity != Vec2::ZERO && self.support != 0 && self.support != ALOFT
+    }
+
     /// Whether a look at its start is not enough.
     pub(super) fn is_fast(&self) -> bool {
         // Each is a motion: no sum wraps.

@@ -2,7 +2,10 @@
 
 use super::body::{Mode, Slot, Tally};
 use super::kernel::BodyShape;
+use super::lean::NEAR;
 use super::memory::{Place, forget, keep};
+use super::met::around;
+use super::way::size;
 use super::{Scene, SceneBody, SceneError};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
@@ -177,10 +180,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.tell_woken(from);
     }
 
-    /// Wakes the bodies that a body touches, or could.
+    /// Wakes the bodies that a body touches, or could. What it holds may rest a raw unit above it. A
+    /// fixed body with a velocity throws what lies on it up to that far in each step.
     pub(super) fn stir(&mut self, body: &SceneBody<S>) {
+        let thrown = if body.mass.is_none() { size(body.velocity) } else { 0 };
         if !body.filter.sensor() {
-            self.wake_near(&body.shape.aabb());
+            self.wake_near(&around(&body.shape.aabb(), thrown.saturating_add(NEAR.to_bits() as u32)));
         }
     }
 

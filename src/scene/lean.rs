@@ -1,13 +1,14 @@
 //! Which bodies rest on each other without touching.
 //!
 //! A fast body ends its way where it meets another one, rounded back by less than a raw unit. There
-//! it rests.
+//! it rests. So does a body that moves after those below it, on a slanted or round one.
 
 use super::body::Slot;
 use super::kernel::BodyShape;
 use super::meeting::toward;
 use super::met::{around, may_meet, pair, senses};
 use super::pairs::join;
+use super::reply::Replies;
 use crate::broad::{BroadPhase, Handle};
 use crate::num::{Fx, Vec2};
 
@@ -20,32 +21,42 @@ pub(super) fn down(weight: Vec2) -> Vec2 {
     toward(weight).unit().scaled(NEAR)
 }
 
-/// Whether one of two bodies rests on the other one, and one of them is fast. If they do not touch,
-/// they sleep and wake together all the same.
+/// Whether one of two bodies rests on the other one. If they do not touch, they sleep and wake
+/// together all the same.
 #[inline(never)]
 pub(super) fn leans<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> bool {
-    (a.body.fast || b.body.fast) && (rests(a, b, gravity) || rests(b, a, gravity))
+    rests(a, b, gravity) || rests(b, a, gravity)
 }
 
 #[inline(never)]
 fn rests<S: BodyShape>(upper: &Slot<S>, lower: &Slot<S>, gravity: Vec2) -> bool {
     let weight = upper.body.weight(gravity);
-    weight != Vec2::ZERO && upper.body.shape.shifted(down(weight)).contact(&lower.body.shape).is_some()
+    weight != Vec2::ZERO && holds_up(&lower.body.shape, &upper.body.shape.shifted(down(weight)), weight)
 }
 
-/// Joins a fast body that may fall asleep to the awake ones that hold it.
+/// Whether a shape holds one that was moved into it along its weight. What only overlaps it from
+/// the side does not: two such would hold each other in the air.
+pub(super) fn holds_up<S: BodyShape>(lower: &S, upper: &S, weight: Vec2) -> bool {
+    upper.contact(lower).is_some_and(|contact| contact.axis().dot_vec(weight) > 0)
+}
+
+/// Joins a body that may fall asleep to the awake ones that hold it. It may have met them only at
+/// the end of its way, or rest above them without touching them.
 pub(super) fn join_leaning<S: BodyShape>(
     slots: &mut [Slot<S>],
     near: &impl BroadPhase,
     handle: Handle,
     (gravity, steps): (Vec2, u8),
+    replies: &mut impl Replies,
 ) {
-    let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.body.fast && slot.quiet >= steps) else { return };
+    let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.quiet >= steps) else { return };
     near.in_region(&around(&slot.body.shape.aabb(), NEAR.to_bits() as u32), |other| {
         let (Some(one), Some(two)) = (slots.get(handle.slot()), slots.get(other.slot())) else { return };
         if other != handle && two.is_awake() && !senses(one, two) && may_meet(one, two) && leans(one, two, gravity) {
             let pair = pair((handle, one), (other, two));
-            join(slots, pair);
+            if replies.to(pair).acts() {
+                join(slots, pair);
+            }
         }
     });
 }

@@ -1,6 +1,6 @@
 //! One step of a scene.
 
-use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
+use super::body::{FLIES, Mode, NOBODY, Slot, Tally};
 use super::change::rouse;
 use super::idle::{are_idle, idle, is_idle, repeat, stir};
 use super::kernel::BodyShape;
@@ -235,7 +235,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         let trip = Trip::new(view, gravity, self.sleep(), N);
         if self.travel(&trip, &mut stepped, replies, each) {
-            self.fall_asleep(&trip, &mut stepped);
+            self.fall_asleep(&trip, &mut stepped, replies);
         }
         Ok(stepped)
     }
@@ -297,7 +297,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             let Some(bounds) = slots.get(handle.slot()).map(|slot| slot.body.shape.aabb()) else { continue };
             near.in_region(&around(&bounds, NEAR.to_bits() as u32), |other| {
                 let (Some(one), Some(two)) = (slots.get(handle.slot()), slots.get(other.slot())) else { return };
-                if two.mode != Mode::Asleep
+                // Two that others woke have not met in this step: they join one pile, too.
+                if other == handle
+                    || !matches!(two.mode, Mode::Asleep | Mode::Woken)
                     || senses(one, two)
                     || !may_meet(one, two)
                     || !(one.body.shape.touches(&two.body.shape) || leans(one, two, gravity))
@@ -359,12 +361,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 
     /// Bodies that touch, directly or not, sleep together or not at all. None sleeps where nothing
     /// holds it: one that rolls off a corner ends each step in the air.
-    fn fall_asleep<V: View<S>>(&mut self, trip: &Trip<'_, V>, stepped: &mut Stepped) {
+    fn fall_asleep<V: View<S>>(&mut self, trip: &Trip<'_, V>, stepped: &mut Stepped, replies: &mut impl Replies) {
         let Sleep { steps, .. } = self.sleep();
         let slots = &mut self.slots;
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         for handle in &*awake {
-            join_leaning(slots, &self.near, *handle, (trip.gravity, steps));
+            join_leaning(slots, &self.near, *handle, (trip.gravity, steps), replies);
             if let Some(slot) = slots.get_mut(handle.slot()) {
                 slot.tally.hits = u16::MAX;
             }
@@ -421,7 +423,7 @@ fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle]
         slot.tally = Tally { drift: slot.tally.drift, ..Tally::of(handle.slot() as u16) };
         slot.mode = Mode::Awake;
         // A body that lay on others may be a raw unit above them. It then touches nobody.
-        let lay = gravity != Vec2::ZERO && slot.support != 0 && slot.support != ALOFT;
+        let lay = slot.lies(gravity);
         (slot.way.pace, slot.way.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);
         slot.body.velocity += slot.body.weight(gravity);
     }

@@ -19,7 +19,7 @@ use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
 use super::reply::{Replies, Reply};
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
-use super::way::{BodyWay, End, Pace, TURNS, common, later, size};
+use super::way::{BodyWay, End, Heading, Pace, TURNS, common, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -251,6 +251,7 @@ where
             slot.body.velocity = self.trip.after(&slot.body, &hit);
             // It is pushed along the surface.
             push = Surface::SLICK.respond(push, hit.axis).unwrap_or(Vec2::ZERO);
+            slot.way.stop = Heading::of(hit.axis.reversed());
             if floor {
                 (slot.support, slot.ground, slot.way.aloft) = (0, NOBODY, false);
             }
@@ -343,11 +344,20 @@ where
             }
             _ => None,
         };
+        // One that was stopped on its way there cannot yield: it would meet what stopped it, and
+        // the other again, until both wait.
+        let stopped = (one.way.stop.bars(met.axis.reversed()), other.way.stop.bars(met.axis));
+        let first_yields = if stopped.0 == stopped.1 { top == Top::A } else { stopped.1 };
         let yields = match goes {
-            (true, other_goes) if top == Top::A || !other_goes => Some(Masses::B_FIXED),
+            (true, other_goes) if first_yields || !other_goes => Some(Masses::B_FIXED),
             (_, true) => Some(Masses::A_FIXED),
             _ => None,
         };
+        match yields {
+            Some(Masses::B_FIXED) if stopped.1 || !goes.1 => one.way.stop = Heading::of(met.axis),
+            Some(Masses::A_FIXED) if stopped.0 || !goes.0 => other.way.stop = Heading::of(met.axis.reversed()),
+            _ => {}
+        }
         for masses in [shared, yields].into_iter().flatten() {
             if let Ok(rates) = exchange(one.way.rate, other.way.rate, met.axis, masses, &Surface::SLICK) {
                 (one.way.rate, other.way.rate) = rates;

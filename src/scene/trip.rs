@@ -3,7 +3,7 @@
 use super::blocked::in_vain;
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
-use super::lean::down;
+use super::lean::{down, holds_up};
 use super::meeting::toward;
 use super::memory::{Causes, Made, Place, Rest, Start, keep, known, note, rest_mut};
 use super::met::{may_meet, senses};
@@ -251,10 +251,9 @@ impl<V> Trip<'_, V> {
             return true;
         }
         let (lower, mut held) = (slot.body.shape.shifted(down), false);
-        // What only touches it from the side does not hold it.
         near.in_region(&lower.aabb(), |other| {
             let Some(it) = slots.get(other.slot()).filter(|_| other != handle) else { return };
-            held |= !senses(slot, it) && may_meet(slot, it) && lower.contact(&it.body.shape).is_some();
+            held |= !senses(slot, it) && may_meet(slot, it) && holds_up(&it.body.shape, &lower, weight);
         });
         held
     }

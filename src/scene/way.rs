@@ -1,7 +1,7 @@
 //! The ways of a body: in a step, once its velocity is known, and since it rests.
 
 use crate::broad::Handle;
-use crate::num::{Raw, Toi, Vec2};
+use crate::num::{Axis, Raw, Toi, Vec2};
 
 /// The way of a body in a step, once its velocity is known: straight ways only.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +20,28 @@ pub(super) struct BodyWay {
     pub(super) pace: Pace,
     /// Nothing has carried it in this step yet. Its support is that of the last step.
     pub(super) aloft: bool,
+    /// Toward what it was stopped last in this step: by the level, or by a body that did not yield.
+    pub(super) stop: Heading,
+}
+
+/// One of eight directions, or none: a byte, so that a way stays at 32.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Heading(i8);
+
+impl Heading {
+    /// The direction that is nearest. A part along an axis counts from half of the other on.
+    pub(super) fn of(axis: Axis) -> Self {
+        let (x, y) = (axis.x.unsigned_abs(), axis.y.unsigned_abs());
+        let sign = |c: i32, size: u32, other: u32| if size >= other >> 1 { c.signum() as i8 } else { 0 };
+        Self(sign(axis.x, x, y) + 3 * sign(axis.y, y, x))
+    }
+
+    /// Whether a motion along an axis leads toward it.
+    pub(super) fn bars(self, axis: Axis) -> bool {
+        let y = (self.0 + 4) / 3 - 1;
+        let x = self.0 - 3 * y;
+        axis.dot(Axis::new(x.into(), y.into())) > 0
+    }
 }
 
 /// How often a way may be turned in a step. Then the body waits for the next one, and goes along
@@ -70,6 +92,7 @@ impl BodyWay {
             turns: 0,
             pace: Pace::Slow,
             aloft: false,
+            stop: Heading(0),
         }
     }
 
