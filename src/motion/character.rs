@@ -370,7 +370,7 @@ impl<B: Body> Character<B> {
         };
         let moved = &walked.moved;
         let stood = self.floor.is_some();
-        let landed = !stood && walked.floor.is_some();
+        let landed = !stood && walked.met_floor;
         (self.body, self.floor) = (moved.body, walked.floor);
         // The parts of the velocity that nothing changed go on. On a solid, the velocity counts as
         // seen from the solid again.
@@ -388,11 +388,14 @@ impl<B: Body> Character<B> {
             }
             Some(_) => (Vec2::ZERO, Vec2::new(full.x, now.y)),
         };
-        if walked.floor.is_some() {
+        if walked.met_floor {
             self.through = Fx::ZERO;
         }
+        if landed {
+            self.away = 0; // if it slid off at once, it left this floor now
+        }
         self.left = self.velocity.y;
-        self.jumps &= walked.floor.is_none();
+        self.jumps &= !walked.met_floor;
         if plan.drops && walked.floor.is_none() {
             self.wish = 0; // the press meant the drop
         }

@@ -189,7 +189,8 @@ pub struct Step {
     pub outcome: Outcome,
     /// Whether it jumped.
     pub jumped: bool,
-    /// Whether it landed on a floor.
+    /// Whether it landed on a floor. It may have slid off the end of that floor in the same frame.
+    /// Then it can still jump, as after it [walks](Feel::coyote) off one.
     pub landed: bool,
     /// Whether a wall blocks it, or a ceiling that comes down to its floor.
     #[doc(alias = "is_on_wall")]

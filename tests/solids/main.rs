@@ -5,6 +5,7 @@
 mod carry;
 mod character;
 mod character_convex;
+mod character_lands;
 mod character_launches;
 mod character_leaves;
 mod character_lifts;

@@ -40,6 +40,7 @@ pub(super) struct Stride<'a, 'm, W, B> {
 /// What a frame ends on, and the heights that it went by.
 pub(super) struct Footing {
     pub(super) floor: Option<Support>,
+    pub(super) met_floor: bool,
     pub(super) stepped: Fx,
     pub(super) snapped: Fx,
 }
@@ -380,6 +381,6 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 self.snapped += if way(made) > NEAR { length(made) } else { Fx::ZERO };
             }
         }
-        Footing { floor: support, stepped: self.stepped, snapped: self.snapped }
+        Footing { floor: support, met_floor: true, stepped: self.stepped, snapped: self.snapped }
     }
 }

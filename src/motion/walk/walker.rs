@@ -62,6 +62,9 @@ pub struct Walked<B> {
     pub moved: Moved<B>,
     /// The floor that it stands on. Pass it to the next call.
     pub floor: Option<Support>,
+    /// Whether it walked on a floor in this frame. It may have left it again: without a `floor`, it
+    /// fell onto the last bit of a platform, say, and slid off.
+    pub met_floor: bool,
     /// How far it rose on steps.
     pub stepped: Fx,
     /// How far it was pulled down to the ground; 0 for mere rounding.
@@ -229,7 +232,7 @@ impl Walker {
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
-        let Footing { floor, stepped, snapped } = self.go(world, &mut run, floor)?;
+        let Footing { floor, met_floor, stepped, snapped } = self.go(world, &mut run, floor)?;
         // It came to a floor that neither carries it nor lets it walk: the foot of a ramp beside
         // it, under a ceiling. That is no landing, and gravity may still have a way. A box stands
         // on every level floor that it meets.
@@ -238,7 +241,7 @@ impl Walker {
             return self.fall(world, body, velocity);
         }
         run.end::<W>();
-        Ok(Walked { moved, floor, stepped, snapped })
+        Ok(Walked { moved, floor, met_floor, stepped, snapped })
     }
 
     /// A frame in which floors do not end the fall.
@@ -250,9 +253,9 @@ impl Walker {
         let mut run = self.mover.start(world, &mut moved, &mut around)?;
         run.falls = true;
         self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
-        let Footing { floor, stepped, snapped } = self.fly(world, &mut run);
+        let Footing { floor, met_floor, stepped, snapped } = self.fly(world, &mut run);
         run.end::<W>();
-        Ok(Walked { moved, floor, stepped, snapped })
+        Ok(Walked { moved, floor, met_floor, stepped, snapped })
     }
 
     /// Makes the motion of a frame.
@@ -283,7 +286,7 @@ impl Walker {
         run.pass_one_way |= self.mover.passes_one_way();
         let level = self.mover.up.filter(|&up| !(leads(run.v, up) || leads(run.v, up.reversed())));
         let floor = level.and_then(|up| run.floor_near(world, &self.mover, up));
-        Footing { floor, stepped: Fx::ZERO, snapped: Fx::ZERO }
+        Footing { floor, met_floor: floor.is_some(), stepped: Fx::ZERO, snapped: Fx::ZERO }
     }
 }
 
