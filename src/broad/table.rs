@@ -177,15 +177,16 @@ impl<T: Tag> Slots<'_, T> {
         Ok(Handle::new(slot, *generation))
     }
 
-    /// Frees the slot of a body, and returns its tag.
+    /// Frees the slot of a body, and returns its tag. The slot keeps the left side and nothing else
+    /// of it: broad phases are equal whatever was removed, and so after a way through serde.
     pub(super) fn remove(&mut self, slot: usize) -> T {
-        let places = (self.bounds.get_mut(slot), self.tags.get(slot), self.generations.get_mut(slot));
-        let (Some(place), Some(&tag), Some(generation)) = places else { return T::BLANK };
+        let places = (self.bounds.get_mut(slot), self.tags.get_mut(slot), self.generations.get_mut(slot));
+        let (Some(place), Some(own), Some(generation)) = places else { return T::BLANK };
         *place = dead(place.lo().x, self.state.free);
         *generation = generation.wrapping_add(1);
         self.state.free = (slot as u16).wrapping_add(1);
         self.state.len -= 1;
-        tag
+        core::mem::replace(own, T::BLANK)
     }
 
     #[inline]
@@ -297,6 +298,10 @@ pub trait Spatial: Sized {
 
     /// The body is about to leave the table.
     fn unlink(&mut self, slot: usize);
+
+    /// Clears what a free slot keeps of its last body for enumerations. For where none is under
+    /// way, as in a scene.
+    fn forget(&mut self, _slot: usize) {}
 
     /// All pairs from the cursor on, each once. Where `each` has no room the pair comes again.
     ///

@@ -218,7 +218,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         check_motion(body.velocity, MOTION).map_err(SceneError::call)?;
         let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;
         let Some(slot) = self.slots.get_mut(handle.slot()) else {
-            let taken_back = self.near.remove(handle);
+            let taken_back = self.leave(handle);
             debug_assert!(taken_back.is_ok(), "it has just been inserted");
             return Err(SceneError::call(BroadError::Full { capacity: N as u16 }));
         };
@@ -234,13 +234,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// [`Stale`](BroadError::Stale).
     pub fn remove(&mut self, handle: Handle) -> Result<SceneBody<S>, SceneError> {
         let body = *self.body(handle)?;
-        self.near.remove(handle).map_err(|e| SceneError::of(handle, e))?;
+        self.leave(handle).map_err(|e| SceneError::of(handle, e))?;
         self.strike(handle);
         if let Some(slot) = self.slots.get_mut(handle.slot()) {
             *slot = Slot::FREE;
         }
         self.stir(&body);
         Ok(body)
+    }
+
+    /// Takes a body out of the broad phase. No enumeration of pairs is under way.
+    fn leave(&mut self, handle: Handle) -> Result<(), BroadError> {
+        self.near.remove(handle)?;
+        self.near.forget(handle.slot());
+        Ok(())
     }
 
     /// All bodies, including those that sleep or are fixed, in the order of their slots. That order

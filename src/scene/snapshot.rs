@@ -17,6 +17,7 @@ use crate::filter::Filter;
 ///
 /// Two snapshots are equal where all later steps are, to the bit, and the bookkeeping of the broad
 /// phase is. Two scenes with the same bodies, inserted in another order, have different ones.
+/// One that was written and read with the feature `serde` is equal to itself.
 ///
 /// Size: 90 bytes for each of N slots, and the broad phase. With 64 bodies in a
 /// [`SortSweep`](crate::broad::SortSweep) that is 7840 bytes; the scene itself has 164 for each

@@ -7,9 +7,11 @@ use core::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tilesat::broad::{BroadPhase, BruteForce};
-use tilesat::scene::SceneTag;
+use tilesat::scene::{SceneBody, SceneTag};
 use tilesat::shape::{AnyShape, Compound};
-use tilesat::{Aabb, Axis, Character, Input, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx, motion::Memo};
+use tilesat::{
+    Aabb, Axis, Character, Circle, Input, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx, motion::Memo,
+};
 use tilesat_judge::scenes::{BODIES, check, room};
 
 pub(crate) fn bytes<T: Serialize>(value: &T) -> Vec<u8> {
@@ -98,13 +100,14 @@ fn a_memo_is_read_empty() {
     assert_eq!(read.move_and_slide(&mover, &level, 0, &body, fall), Ok(first));
 }
 
-fn goes_on<B: BroadPhase<Tag = SceneTag> + Copy + Serialize + DeserializeOwned + Debug>(near: B) {
+fn goes_on<B: BroadPhase<Tag = SceneTag> + Copy + PartialEq + Serialize + DeserializeOwned + Debug>(near: B) {
     let map = room();
     for (seed, frames) in [(0, 0), (1, 1), (2, 7), (3, 26), (4, 60), (5, 400)] {
         let mut one = scene(near, seed, frames);
         let mut other: Scene<B, BODIES> = again(&one);
         for frame in 0..40 {
             assert_eq!(bytes(&one), bytes(&other), "{seed}, {frame}");
+            assert!(one.snapshot() == other.snapshot(), "{seed}, {frame}");
             check(&other);
             let mut told = [Vec::new(), Vec::new()];
             for (scene, told) in [&mut one, &mut other].into_iter().zip(&mut told) {
@@ -131,4 +134,48 @@ fn scenes_go_on_the_same() {
     goes_on(BruteForce::<BODIES, SceneTag>::new());
     goes_on(grid());
     goes_on(hash());
+}
+
+/// What a free slot keeps does not depend on the body that it had, except for its left side.
+fn free_slots<B: BroadPhase<Tag = SceneTag> + Copy + PartialEq + Serialize + DeserializeOwned + Debug>(near: B) {
+    let map = room();
+    // The second one is too large for a cell.
+    let ball = |k: i16, key: u32| {
+        let radius = if k == 1 { fx!(30) } else { fx!(2) };
+        SceneBody::new(Circle::new(Vec2::from_ints(40 + 3 * k, 30), radius).unwrap(), key)
+    };
+    // In every order of removals, before and after steps.
+    for order in 0..27 {
+        for steps in [0, 1, 3] {
+            let mut twins = [0, 10].map(|keys| {
+                let mut scene = Scene::<B, BODIES>::new(near);
+                let handles = [0, 1, 2].map(|k| scene.insert(&ball(k, keys + k as u32)).unwrap());
+                for _ in 0..steps {
+                    scene.step(&map, Vec2::ZERO, |_| {}).unwrap();
+                }
+                (scene, handles)
+            });
+            for at in [order % 3, order / 3 % 3, order / 9] {
+                let [(one, handles), (other, _)] = &mut twins;
+                assert_eq!(one.remove(handles[at]).is_ok(), other.remove(handles[at]).is_ok());
+                same(&one.snapshot());
+                assert_eq!(
+                    one.snapshot() == other.snapshot(),
+                    one.bodies().next().is_none(),
+                    "only the keys of bodies differ"
+                );
+                one.step(&map, Vec2::ZERO, |_| {}).unwrap();
+                other.step(&map, Vec2::ZERO, |_| {}).unwrap();
+                same(&one.snapshot());
+            }
+        }
+    }
+}
+
+#[test]
+fn free_slots_are_the_same() {
+    free_slots(Near::new());
+    free_slots(BruteForce::<BODIES, SceneTag>::new());
+    free_slots(grid());
+    free_slots(hash());
 }

@@ -48,8 +48,9 @@ pub struct ListsMut<'a> {
 }
 
 impl<const N: usize> Links<N> {
+    /// A free slot is not in the cell NIL: it would be tested as a large body.
     pub(in crate::broad) const fn new() -> Self {
-        Self { next: [NIL; N], prev: [NIL; N], cell: [NIL; N], large: NIL }
+        Self { next: [NIL; N], prev: [NIL; N], cell: [0; N], large: NIL }
     }
 
     #[inline]
@@ -77,10 +78,16 @@ impl<const N: usize> Links<N> {
 }
 
 impl<'a> Lists<'a> {
-    /// The cell of a body; what a removed one had, until its slot is taken again.
+    /// The cell of a body; what a removed one had, until its slot is forgotten or taken again.
     #[inline]
     pub(in crate::broad) fn cell_of(&self, slot: usize) -> u16 {
         self.cell.get(slot).copied().unwrap_or(NIL)
+    }
+
+    /// Whether a removed body left links here, which an enumeration may still follow.
+    #[cfg(feature = "serde")]
+    pub(in crate::broad) fn has_links(&self, slot: usize) -> bool {
+        self.cell_of(slot) != 0 || self.next.get(slot) != Some(&NIL)
     }
 
     /// The first body of a cell, or NIL.
@@ -145,6 +152,13 @@ impl ListsMut<'_> {
             self.mark(cell, next != NIL);
         }
         set(self.prev, usize::from(next), prev);
+    }
+
+    /// Clears the links of a free slot: it is as one that was never taken.
+    pub(in crate::broad) fn forget(&mut self, slot: usize) {
+        set(self.next, slot, NIL);
+        set(self.prev, slot, NIL);
+        set(self.cell, slot, 0);
     }
 }
 

@@ -3,7 +3,7 @@
 mod grid;
 mod hash;
 mod lattice;
-mod lists;
+pub(in crate::broad) mod lists;
 #[cfg(test)]
 mod tests;
 
@@ -130,6 +130,10 @@ impl<C: InCells> Spatial for C {
 
     fn unlink(&mut self, slot: usize) {
         self.lists_mut().unlink(slot);
+    }
+
+    fn forget(&mut self, slot: usize) {
+        self.lists_mut().forget(slot);
     }
 
     #[inline]

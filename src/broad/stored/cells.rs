@@ -2,6 +2,7 @@
 //! the same lists.
 
 use super::slots::{Tenants, once};
+use crate::broad::cells::lists::Lists;
 use crate::broad::cells::{Border, InCells, LooseGrid, SpatialHash};
 use crate::broad::table::{Bodies, Spatial, Table};
 use crate::broad::{BroadError, GridError, Tag};
@@ -41,11 +42,12 @@ impl fmt::Display for Fault {
     }
 }
 
-/// An enumeration of pairs that is under way would miss those of bodies that were removed since: it
-/// begins again, as after a move.
-fn tenants<T: Tag, const N: usize>(table: &Table<T, N>) -> Tenants<T, N> {
-    let mut tenants = Tenants::of(table);
-    tenants.moved = true;
+/// An enumeration that stands at a body removed since follows its links, which are not stored: it
+/// begins again, as after a move. A scene leaves no such links, so its flag stays as it is.
+fn tenants<T: Tag, const N: usize>(table: &Table<T, N>, lists: &Lists<'_>) -> Tenants<T, N> {
+    let (mut tenants, bodies) = (Tenants::of(table), table.bodies());
+    let left = |slot: usize| !bodies.handle(slot).is_taken() && lists.has_links(slot);
+    tenants.moved |= (0..bodies.bounds.len()).any(left);
     tenants
 }
 
@@ -97,7 +99,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Form<LooseG
             cell: Fx::from_bits(grid.lattice.side()),
             columns: 1 << grid.rows.log_columns,
             border: grid.border,
-            table: tenants(&grid.table),
+            table: tenants(&grid.table, &grid.lists()),
             order: listed(grid),
         }
     }
@@ -129,7 +131,7 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Form<Spati
         Self {
             version: Version,
             cell: Fx::from_bits(hash.lattice.side()),
-            table: tenants(&hash.table),
+            table: tenants(&hash.table, &hash.lists()),
             order: listed(hash),
         }
     }
