@@ -15,6 +15,7 @@ mod degenerate;
 mod distances;
 mod exact;
 mod lattice;
+mod manifold_mirrors;
 mod mutants;
 mod number_types;
 mod numbers;

@@ -6,7 +6,6 @@ use super::face::{End, Facing, face, precedes};
 use super::walk::{Core, PolygonSide};
 use crate::num::{Axis, Raw, cmp_squares, scaled};
 use crate::query::contact::Contact;
-use core::cmp::Ordering;
 
 /// A part of a shape's border, by its index. The index stays the same while the shape moves, and
 /// while a box turns.
@@ -41,7 +40,8 @@ pub struct ManifoldPoint {
 /// segments it may have another length, and be another shortest way out if there are several. The
 /// first point is the deepest one, and is exact. There is a second one if a side of one shape leans
 /// on a side of the other: the other end of the part where they face each other. It is within a raw
-/// unit of the exact point, and has its own depth, rounded up.
+/// unit of the exact point, and has its own depth, rounded up. Where the two sides beside the
+/// deepest corner are equally steep, neither leans, and there is one point.
 ///
 /// ```text
 ///      +-------+
@@ -176,7 +176,8 @@ struct Lean {
 }
 
 /// The one of the two sides beside a corner that is more parallel to `way`, in which the next one
-/// leads away. `None` if both lead the other way.
+/// leads away. `None` if both lead the other way, or are equally parallel: no choice between two
+/// mirror images is that of a mirrored scene.
 fn leaning(core: Core<'_>, at: usize, way: Raw) -> Option<Lean> {
     if core.corners.len() < 2 {
         return None;
@@ -192,9 +193,8 @@ fn leaning(core: Core<'_>, at: usize, way: Raw) -> Option<Lean> {
     let order = cmp_squares((forth.0.unsigned_abs(), back.1), (back.0.unsigned_abs(), forth.1));
     let takes_next = match (forth_leads, back_leads) {
         (false, false) => return None,
-        (true, true) => {
-            order == Ordering::Greater || (order == Ordering::Equal && precedes(core.corner(next), core.corner(last)))
-        }
+        (true, true) if order.is_eq() => return None,
+        (true, true) => order.is_gt(),
         (forth, _) => forth,
     };
     Some(if takes_next { Lean { side: at, end: next } } else { Lean { side: last, end: last } })
