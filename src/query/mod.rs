@@ -26,6 +26,19 @@
 //! Every loop has a bound, and nothing divides. Only casts can fail: they refuse numbers that are
 //! out of range. A translated scene gives the same bits, and a mirrored one gives mirrored bits.
 //!
+//! Mirrored scenes may give other bits in these cases:
+//!
+//! - Degenerate contacts: their axis follows the conventions below, and their points follow it.
+//! - Points in the middle of facing sides, of a contact or of nearest points: the middle is rounded
+//!   down, so it may be a raw unit off. Of slanted sides it is at most two off.
+//! - Nearest points of slanted parallel sides: they are at the lexicographically first end of the
+//!   facing parts, so in a mirrored scene they may be at the other end.
+//! - The axis of a cast by a motion along x or y. Where it meets two sides or corners at one moment
+//!   whose axes mirror each other at the motion, the axis is the one to its left (y up).
+//! - Equally deep points of a manifold: the order of the two.
+//!
+//! Exchanging x and y also changes the choices that prefer x.
+//!
 //! # The contact of each shape
 //!
 //! A is the orange shape, and B the box. Red: the points of the manifold on B, and the normal from

@@ -16,6 +16,7 @@ mod distances;
 mod exact;
 mod lattice;
 mod manifold_mirrors;
+mod mirrored_casts;
 mod mutants;
 mod number_types;
 mod numbers;

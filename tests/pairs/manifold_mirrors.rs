@@ -81,3 +81,70 @@ fn points_are_mirrored() {
     }
     assert!(count > 10_000 && two > count / 10, "{count} pairs, {two} with two points");
 }
+
+/// How far the points of two answers are apart, in the component where that is most.
+fn apart(p: (Point, Point), q: (Point, Point)) -> i64 {
+    let most = |p: Point, q: Point| (p.0 - q.0).abs().max((p.1 - q.1).abs());
+    most(p.0, q.0).max(most(p.1, q.1))
+}
+
+/// The deepest points of facing sides are in the middle, rounded down; nearest ones of slanted
+/// sides are at one of the ends.
+#[test]
+fn single_points_are_mirrored_to_a_raw_unit() {
+    let (mut exact, mut rounded, mut ends) = (0u64, [0u64; 2], [0u64; 2]);
+    for unit in [3, 4, 1000] {
+        let mut all = shapes(unit);
+        let boxes = [((-2, 1), (9, 6)), ((-1, 0), (1, 2)), ((0, 0), (3, 1))];
+        all.extend(boxes.map(|(min, max): (Point, Point)| Shape::Aabb {
+            min: (min.0 * unit, min.1 * unit),
+            max: (max.0 * unit, max.1 * unit),
+        }));
+        all.extend(
+            [((0, 0), (2, 1)), ((0, 1), (3, 0)), ((0, 0), (0, 3))].map(|(a, b): (Point, Point)| Shape::Segment {
+                a: (a.0 * unit, a.1 * unit),
+                b: (b.0 * unit, b.1 * unit),
+            }),
+        );
+        for (i, a) in all.iter().enumerate() {
+            for b in all.iter().skip(i % 5).step_by(5).chain([a]) {
+                for by in [(1, 1), (unit + 1, 2 * unit), (-3 * unit, 5 * unit + 1), (3 * unit, 6 * unit)] {
+                    let b = b.moved(by);
+                    for (name, map) in MAPS {
+                        let (c, d) = (a.map(map, map), b.map(map, map));
+                        let mapped = |(p, q): (Point, Point)| (map(p), map(q));
+                        let deepest = |a, b| {
+                            let contact = ask::contact(a, b).filter(|c| !c.is_degenerate());
+                            contact.map(|c| (point(c.point_on_a()), point(c.point_on_b())))
+                        };
+                        if let (Some(here), Some(there)) = (deepest(a, &b), deepest(&c, &d)) {
+                            let off = apart(mapped(here), there);
+                            assert!(off <= 1, "{name}: {a:?} {b:?}: {here:?} {there:?}");
+                            rounded[off as usize] += 1;
+                        }
+                        if let (Some(here), Some(there)) = (ask::closest_points(a, &b), ask::closest_points(&c, &d)) {
+                            let off = apart(mapped(here), there);
+                            if off <= 1 {
+                                exact += u64::from(off == 0);
+                                ends[0] += off as u64;
+                                continue;
+                            }
+                            let ((p, q), (r, s)) = (mapped(here), there);
+                            // Of a few raw units, rounding hides the direction.
+                            let slanted = |way: &Point| way.0.abs().max(way.1.abs()) < 4 || (way.0 != 0 && way.1 != 0);
+                            let ways = [(q.0 - p.0, q.1 - p.1), (s.0 - r.0, s.1 - r.1)];
+                            let slanted = ways.iter().all(slanted);
+                            assert!(
+                                slanted && apart((ways[0], p), (ways[1], p)) <= 2,
+                                "{name}: {a:?} {b:?}: {here:?} {there:?}"
+                            );
+                            ends[1] += 1;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    println!("{exact} equal; off by 0 and 1: {rounded:?}; nearest in the middle, at an end: {ends:?}");
+    assert!(exact > 1000 && rounded[1] > 0 && ends[1] > 0);
+}

@@ -40,9 +40,14 @@ pub use kernel::{CastHit, Inside, MovingHit};
 ///         <----------->     +-----+      axis         <-, out of B
 /// ```
 ///
-/// A hit at one moment on two sides, corner to corner, is on the one that opposes the motion
-/// more, x on a tie. Exchanging A and B and reversing the motion gives the same time and
-/// displacement reversed; mirrored scenes give mirrored bits, translated ones the same.
+/// A hit at one moment on two sides, corner to corner, is on the one that opposes the motion more,
+/// then on the one whose axis is more along x. Exchanging A and B and reversing the motion gives
+/// the same time, and displacement and axis reversed. Translated scenes give the same bits.
+///
+/// Mirrored scenes give mirrored bits, with one exception. If the motion is along x or y, two sides
+/// or corners that it meets at one moment may have axes that mirror each other at it. The hit is
+/// then on the one whose axis leads to the left of the motion (y up): in a mirrored scene it is on
+/// the other one, and the axis may have another length.
 ///
 /// Cost on a Cortex-M0, in instructions, of a yes and of a whole hit: boxes 160 and 335, circles
 /// 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1170 and 2390, a box

@@ -400,9 +400,11 @@ pub(in crate::query) fn touch_disc(m: Raw, r: i32, d: Raw) -> Option<(Toi, Disc)
 
 impl Disc {
     /// Of two that are met at one moment, the one with the lesser key opposes the motion more, then
-    /// is farther along x. The same for exchanged and for mirrored shapes.
-    pub(in crate::query) const fn order(&self) -> (Reverse<u64>, Reverse<u32>) {
-        (Reverse(self.crossing.b), Reverse(self.m.x.unsigned_abs()))
+    /// is less beside its line, then farther along x. The same for exchanged and for mirrored
+    /// shapes. Of two that mirror each other at a motion along x or y it is the one on the left.
+    pub(in crate::query) const fn order(&self) -> (Reverse<u64>, u64, Reverse<u32>, i64) {
+        let Crossing { b, cross, .. } = self.crossing;
+        (Reverse(b), cross.unsigned_abs(), Reverse(self.m.x.unsigned_abs()), cross)
     }
 }
 

@@ -121,7 +121,7 @@ fn rounded(a: Core<'_>, b: Core<'_>, radius: i32, d: Raw) -> Option<ConvexGate> 
 
 /// The earlier of two discs, each with a lower bound of its moment that is early by less than four
 /// raw units of way. Exact if these do not decide. At one moment it is the one with the lower
-/// bound, then the one that opposes the motion more: neither depends on which shape is A.
+/// bound, then as [`Disc::order`]: none of it depends on which shape is A.
 pub(super) fn is_earlier((s, a): (Toi, Disc), (t, b): (Toi, Disc), d: Raw) -> bool {
     let way = d.x.unsigned_abs().max(d.y.unsigned_abs());
     if umul(s.raw().abs_diff(t.raw()), way) >> 32 == 0 {
