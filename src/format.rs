@@ -179,7 +179,8 @@ impl<B: Format> Format for Moved<B> {
 impl<B: Format> Format for Walked<B> {
     fn format(&self, f: Formatter<'_>) {
         let (up, down) = (Decimal(self.stepped), Decimal(self.snapped));
-        write!(f, "Walked {} on {} stepped {} snapped {}", self.moved, self.floor, up, down);
+        let Self { moved, floor, met_floor, .. } = self;
+        write!(f, "Walked {} on {} met floor {} stepped {} snapped {}", moved, floor, met_floor, up, down);
     }
 }
 

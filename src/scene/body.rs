@@ -53,9 +53,9 @@ pub struct SceneBody<S = Shape> {
     /// hardly moves.
     pub floats: bool,
     /// It meets others [on its whole way](super#fast-bodies), however slow it is: a crusher among
-    /// small things, a hero, and everything that steers toward others. Bodies that press against
-    /// others in every step sink in without it. A body that moves by more than half of its smaller
-    /// side in a step always does.
+    /// small things, a hero. Bodies that press against others in every step sink in without it. A
+    /// body that moves by more than half of its smaller side in a step always does. It
+    /// [costs](super#fast-bodies) much for a crowd.
     pub fast: bool,
 }
 

@@ -180,8 +180,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.tell_woken(from);
     }
 
-    /// Wakes the bodies that a body touches, or could. What it holds may rest a raw unit above it. A
-    /// fixed body with a velocity throws what lies on it up to that far in each step.
+    /// Wakes the bodies that a body touches, or could. What it holds may rest a raw unit above it.
+    /// A fixed body with a velocity throws what lies on it up to that far in each step.
     pub(super) fn stir(&mut self, body: &SceneBody<S>) {
         let thrown = if body.mass.is_none() { size(body.velocity) } else { 0 };
         if !body.filter.sensor() {

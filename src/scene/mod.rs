@@ -86,9 +86,10 @@
 //!   Balls that lie askew overlap by a raw unit.
 //! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
 //!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
-//!   also wakes if you name a region that [changed](Scene::wake_region), as by a removed tile, and
-//!   if a solid that [moves](Scene::ride) comes near it. Sensors wake nobody. A woken body wakes the
-//!   bodies that it touches in the next step, with the whole pile of those that touch each other.
+//!   also wakes if you name a region that [changed](Scene::wake_region), and if a solid that
+//!   [moves](Scene::ride) comes near it. A tile or a solid that you take away wakes nobody: name its
+//!   region. Sensors wake nobody. A woken body wakes the bodies that it touches in the next step,
+//!   with the whole pile of those that touch each other.
 //!
 //! # Fast bodies
 //!
@@ -109,8 +110,8 @@
 //! ```
 //!
 //! - Two bodies exchange velocities at most once per step. The event reports them once, with the
-//!   time and the speed ([`SceneEvent::Meet`]). If they hit each other again, they move along each
-//!   other until the step ends.
+//!   time and the speed ([`SceneEvent::Meet`]). If they hit each other again, the one that nothing
+//!   has stopped yields: a body slides along the wall that another one presses it against.
 //! - A slow or sleeping body that is hit uses its new velocity from the next step on.
 //! - Sensors on the way are reported too, each time that a body enters one.
 //! - After three bodies or eight events in a step, a body waits for the next step where it is. No
@@ -122,7 +123,8 @@
 //!
 //! A fast body with nobody in reach is moved like all others; that costs one region query.
 //! Otherwise each event takes two casts through the level, a region query, and a test of each other
-//! fast body.
+//! fast body. In a crowd that presses itself, this grows like the cube of the number: flag bullets,
+//! crushers and the hero, not a crowd.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -151,14 +153,13 @@
 //! [`SortSweep`](crate::broad::SortSweep): 221 000 instructions per step while they fly and land,
 //! at most 430 000, most of them the mover's. 804 000 if all lie in nooks of slopes and none may
 //! sleep; 57 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for a
-//! fifteenth of that: 53 000. Stack: 3.9 KB for such a step.
-//! [`Scene`] has flash and stack of more kinds of scenes.
+//! fifteenth of that: 53 000. Stack: 3.9 KB for such a step. [`Scene`] has other kinds of scenes.
 //!
 //! # Games in a scene
 //!
-//! **Capsules** are bodies of a scene with [`WithCapsules`] as its last parameter. A scene of boxes
-//! and circles links none of their code. **Turned boxes, polygons, slanted capsules** are bodies of
-//! a scene with [`AnyShape`](crate::shape::AnyShape) there.
+//! **Capsules** are bodies of a `Scene<B, 64, 0, WithCapsules>`: see [`WithCapsules`]. Others link
+//! none of their code. **Turned boxes, polygons, slanted capsules** need
+//! [`AnyShape`](crate::shape::AnyShape) there.
 //!
 //! **Moving platforms** are [`Solid`](crate::Solid)s or
 //! [`ConvexSolid`](crate::world::ConvexSolid)s: [`ride`](crate::Scene::ride) moves them, with what

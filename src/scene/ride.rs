@@ -70,7 +70,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// - **Squashed** bodies are reported and stay. Each step [holds](super::SceneEvent::Held) them
     ///   until the solid has passed.
     /// - Solids that move wake the bodies near them, and those that they carry or push wake their
-    ///   whole piles. Bodies on a lift that stands may sleep.
+    ///   whole piles. Bodies on a lift that stands may sleep. If you take a solid away or put it
+    ///   elsewhere, [wake](super::Scene::wake_region) the region where it was.
     ///
     /// `each` receives every body that is carried, pushed or squashed by a solid, and the faults of
     /// bodies that cannot be moved. They come in no particular order. If keys are unique, no result
