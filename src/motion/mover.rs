@@ -231,9 +231,10 @@ impl<S: Law> Mover<S> {
     /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
     /// Mirrored scenes give mirrored bits, except where a circle meets two corners, slopes or arcs
-    /// at once and equally squarely (+x goes first), and a raw unit where a polygon slides into a
-    /// corner (1 of 100 000 motions). Translated scenes give the same bits. So do scenes with x and
-    /// y exchanged, except for ties (x goes first) and a raw unit at corners.
+    /// at once and equally squarely (+x goes first), and where a corner of a polygon or a turned
+    /// box meets a corner (1 of 100 000 motions): it may be a raw unit off, or bounce off the other
+    /// side. Translated scenes give the same bits. So do scenes with x and y exchanged, except for
+    /// ties (x goes first) and a raw unit at corners.
     ///
     /// Cost: where all cells under the motion are empty, one look at each. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A

@@ -17,7 +17,7 @@ use crate::num::{Fx, MOTION, check_motion};
 /// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
 /// into the level or into another body. A step in the air does not count, and does not end the
 /// rest. In its last step of rest something must hold it from below: a ball that rolls off a corner
-/// stays awake.
+/// stays awake. A body that wakes because another one touches it keeps its steps of rest.
 ///
 /// Without friction, heaps of round bodies in a funnel may stay awake for ever: 9 of 38 pairs of
 /// capsules did, and most heaps of six and more. Friction ends that.
@@ -36,7 +36,7 @@ impl Sleep {
 }
 
 impl Default for Sleep {
-    /// After 30 steps of less than 1/32 of a unit.
+    /// After 30 steps of rest, with `still` at 1/32 of a unit.
     fn default() -> Self {
         Self::DEFAULT
     }
