@@ -3,8 +3,8 @@
 
 use super::cell::{Block, Cell, Cells, Way};
 use super::convex::ConvexBody;
+use super::lines::{BlockHit, Lines};
 use super::tile_map::kind::Fill;
-use super::tile_map::lines::{BlockHit, Lines};
 use crate::num::{Axis, Raw, Vec2, imul};
 use crate::shape::{Aabb, Circle};
 

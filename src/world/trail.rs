@@ -3,8 +3,8 @@
 use super::cell::{Block, Cells, Way};
 use super::convex::ConvexBody;
 use super::level::{Feature, MotionPiece, Seen, World, sealed};
+use super::lines::{BlockHit, Lines};
 use super::tile_map::kind::Fill;
-use super::tile_map::lines::{BlockHit, Lines};
 use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle};
 use core::cell::Cell;

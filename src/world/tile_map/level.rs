@@ -10,9 +10,9 @@ use crate::world::cell::Way;
 use crate::world::cell::{Block, Cells, Range};
 use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};
+use crate::world::lines::{BlockHit, Lines};
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::Fill;
-use crate::world::tile_map::lines::{BlockHit, Lines};
 
 impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
 

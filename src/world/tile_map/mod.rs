@@ -7,7 +7,7 @@ mod convex;
 pub(in crate::world) mod features;
 pub(in crate::world) mod kind;
 pub(in crate::world) mod level;
-pub(in crate::world) mod lines;
+mod lines;
 mod occupancy;
 pub(in crate::world) mod outline;
 pub(in crate::world) mod overlap;
