@@ -139,23 +139,10 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         }
     }
 
-    /// The side of a cell that the motion comes to along x, or along y, from its first point in a
-    /// block's order, solid on the left; its index, and how long it is.
-    #[inline]
-    fn side(&self, (lo, hi): (Raw, Raw), along_x: bool) -> (u16, Raw, Axis, i32) {
-        let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));
-        match (along_x, self.d.x < 0, self.d.y < 0) {
-            (true, false, _) => (3, Raw { x: lo.x, y: hi.y }, Axis::NEG_Y, height),
-            (true, true, _) => (1, Raw { x: hi.x, y: lo.y }, Axis::Y, height),
-            (false, _, false) => (0, lo, Axis::X, width),
-            (false, _, true) => (2, hi, Axis::NEG_X, width),
-        }
-    }
-
     /// A face that the body enters between its ends, or of which it may meet only an end.
     #[inline(never)]
     fn meet_face(&mut self, block: &Block, cell: (Raw, Raw), along_x: bool, at_end: bool) {
-        let (index, a, dir, len) = self.side(cell, along_x);
+        let (index, a, dir, len) = side(cell, along_x, if along_x { self.d.x < 0 } else { self.d.y < 0 });
         let normal = crate::world::normal(dir);
         if !self.is_free(block, normal.x, normal.y) {
             return;
@@ -256,7 +243,20 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
     }
 }
 
-fn feature(block: &Block, index: u16, geometry: Geometry) -> Feature {
+/// The side across x or y of a cell that a motion comes to, `back` toward smaller coordinates: its
+/// index in a block's order, solid on the left, its first point, direction and length.
+#[inline]
+pub(super) fn side((lo, hi): (Raw, Raw), across_x: bool, back: bool) -> (u16, Raw, Axis, i32) {
+    let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));
+    match (across_x, back) {
+        (true, false) => (3, Raw { x: lo.x, y: hi.y }, Axis::NEG_Y, height),
+        (true, true) => (1, Raw { x: hi.x, y: lo.y }, Axis::Y, height),
+        (false, false) => (0, lo, Axis::X, width),
+        (false, true) => (2, hi, Axis::NEG_X, width),
+    }
+}
+
+pub(super) fn feature(block: &Block, index: u16, geometry: Geometry) -> Feature {
     let cell = Cell::of(block.x, block.y);
     Feature { geometry, cell, index, flags: block.kind.flags, one_way: false, source: 0 }
 }

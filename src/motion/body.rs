@@ -2,6 +2,7 @@
 
 use crate::num::{Axis, Raw, Vec2, cmp_squares, mul_div, umul};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, ConvexPolygon, OrientedBox};
+use crate::world::World;
 use core::cmp::Ordering;
 
 /// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`],
@@ -185,6 +186,12 @@ impl Entry {
 pub(super) fn by_size(a: Axis, b: Axis) -> Ordering {
     let key = |v: Axis| (v.x.unsigned_abs(), v.y.unsigned_abs(), v.x, v.y);
     key(a).cmp(&key(b))
+}
+
+/// Whether all that a body can hit in a level are sides of cells: a box among blocks, which goes by
+/// the lines of the grid.
+pub(super) const fn is_by_lines<W: World, B: Body>() -> bool {
+    W::GRID && W::BLOCKS && !B::MEETS_CORNERS
 }
 
 pub(super) mod kernel {

@@ -1,6 +1,6 @@
 //! Bodies cast through a level: the first hit of a motion, without a response.
 
-use super::body::Body;
+use super::body::{Body, is_by_lines};
 use super::order::First;
 use super::run::{Run, check_inside};
 use super::search::{Around, Search, piece_of};
@@ -165,7 +165,7 @@ pub(super) fn cast<W: World, B: Body>(
     let mut first = First::none();
     let mut search = Search::new(body, &mut around);
     search.pass_one_way = !rules.one_way;
-    let beside = if W::GRID && pieces > 1 {
+    let beside = if is_by_lines::<W, B>() || (W::GRID && pieces > 1) {
         // A hit at once ends the walk before it has visited all.
         search.find_on_way(world, d, &mut first) || first.is_within(0, 1)
     } else {

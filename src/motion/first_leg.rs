@@ -1,7 +1,6 @@
 //! The first straight part of a motion that meets something.
 
-use super::block_lines::is_by_lines;
-use super::body::{Body, Entry};
+use super::body::{Body, Entry, is_by_lines};
 use super::mover::Mover;
 use super::order::First;
 use super::plane::SurfaceRole;

@@ -2,8 +2,7 @@
 //! and their order.
 
 use super::Mover;
-use super::block_lines::is_by_lines;
-use super::body::{Body, Entry};
+use super::body::{Body, Entry, is_by_lines};
 use super::order::First;
 use super::plane::{into, way};
 use super::run::margin;
@@ -187,9 +186,6 @@ impl<'a, B: Body> Search<'a, B> {
 
     /// The same for a motion in so many pieces. If it is one, the level has been looked at.
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
-        if is_by_lines::<W, B>() {
-            return self.find_by_lines(world, d, first);
-        }
         if pieces == 1 {
             match self.around.known_cells() {
                 Some(mut cells) if W::GRID => self.meet_cells(world, &mut cells, d, first),
@@ -202,7 +198,7 @@ impl<'a, B: Body> Search<'a, B> {
     }
 
     /// The same in a grid, strip by strip. Returns whether a cell of the first strip, in which the
-    /// body starts, holds something.
+    /// body starts, may hold something.
     ///
     /// Strips visit each cell once, so long casts take up to 15 % fewer instructions. Movers do
     /// without: the code of strips would add 1 000 bytes to each of them, and 1 % to short motions.

@@ -286,22 +286,19 @@ pub trait World: sealed::Sealed {
 
     /// The lines of a grid of blocks that a box comes to on its way.
     #[doc(hidden)]
-    fn lines(&self, bounds: &Aabb, d: Raw) -> Lines {
-        let _ = (bounds, d);
+    fn lines(&self, _bounds: &Aabb, _d: Raw) -> Lines {
         Lines::NONE
     }
 
     /// Whether the box overlaps something where such a way starts.
     #[doc(hidden)]
-    fn starts_inside(&self, lines: &Lines, bounds: &Aabb) -> bool {
-        let _ = lines;
+    fn starts_inside(&self, _lines: &Lines, bounds: &Aabb) -> bool {
         self.overlaps_aabb(bounds)
     }
 
-    /// The hit at the next line that has one. Counts the cells there that hold something.
+    /// The hit at the next line that has one. Counts the lines.
     #[doc(hidden)]
-    fn next_block(&self, lines: &mut Lines, pass_one_way: bool, seen: &mut u32) -> Option<BlockHit> {
-        let _ = (lines, pass_one_way, seen);
+    fn next_block(&self, _lines: &mut Lines, _pass_one_way: bool, _seen: &mut u32) -> Option<BlockHit> {
         None
     }
 

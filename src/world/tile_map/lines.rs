@@ -7,6 +7,7 @@
 use super::{Outside, Set, Store, TileMap, merged};
 use crate::num::Raw;
 use crate::shape::Aabb;
+use crate::world::cell::Range;
 use crate::world::grid::GridAxis;
 use crate::world::lines::{BlockHit, Lines, Sides};
 use crate::world::tile_map::kind::TileKind;
@@ -119,18 +120,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
         let (x, y) = (&lines.x, &lines.y);
         let (x0, x1) = if x.step < 0 { (x.lead, x.rear) } else { (x.rear, x.lead) };
-        let (mut row, last) = if y.step < 0 { (y.lead, y.rear) } else { (y.rear, y.lead) };
-        while row <= last {
-            let (mut column, mut tile) = (x0, self.place(x0, row));
-            while column <= x1 {
-                if self.kinds.get(self.id_at(tile)).is_full() {
-                    return true;
-                }
-                (column, tile) = (column.wrapping_add(1), tile.wrapping_add(1));
-            }
-            row = row.wrapping_add(1);
-        }
-        false
+        let (y0, y1) = if y.step < 0 { (y.lead, y.rear) } else { (y.rear, y.lead) };
+        self.any_full_in_map(Range { x0, y0, x1, y1 }, |_| true)
     }
 
     /// The hit at the next line that has one. Counts the lines.

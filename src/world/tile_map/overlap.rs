@@ -123,7 +123,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The same of a range in the map.
     #[inline(always)]
-    fn any_full_in_map(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
+    pub(super) fn any_full_in_map(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
         let is_square = !matches!(self.outside, Outside::Edge);
         let (mut y, mut rows) = (range.y0, self.occupied_rows(range.x0, range.x1, range.y0));
         while y <= range.y1 {
