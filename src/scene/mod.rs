@@ -122,9 +122,9 @@
 //!   bodies that it jumps over.
 //!
 //! A fast body with nobody in reach is moved like all others; that costs one region query.
-//! Otherwise each event takes two casts through the level, a region query, and a test of each other
-//! fast body. In a crowd that presses itself, this grows like the cube of the number: flag bullets,
-//! crushers and the hero, not a crowd.
+//! Otherwise each event takes a few casts through the level and region queries, and tests the boxes
+//! of all fast bodies. In a crowd that presses itself, this grows faster than the square of the
+//! number: flag bullets, crushers and the hero, not a crowd.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;

@@ -15,7 +15,7 @@ use super::idle::{reach_of, stir};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::memory::Place;
-use super::met::{Met, around, each_near, may_meet, pair, reach, senses};
+use super::met::{FirstEnd, Met, around, each_near, may_meet, pair, reach, senses, stops};
 use super::reply::{Replies, Reply};
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
@@ -193,11 +193,18 @@ where
     fn look_all(&mut self, turned: Option<[u16; 2]>) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
-            let looks = |turned: [u16; 2]| turned.into_iter().any(|at| slot.way.depends_on(handle, at));
-            if slot.way.pace != Pace::Swept || slot.way.is_held() || !turned.is_none_or(looks) {
+            if slot.way.pace != Pace::Swept || slot.way.is_held() {
                 continue;
             }
-            let end = self.look(handle, &slot);
+            let end = match turned {
+                Some(turned) if !turned.iter().any(|&at| slot.way.depends_on(handle, at)) => {
+                    if !slot.way.waits() {
+                        continue;
+                    }
+                    Ok(self.glance(handle, &slot, turned))
+                }
+                _ => self.look(handle, &slot),
+            };
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             match end {
                 Ok(end) => slot.way.end = end,
@@ -211,27 +218,31 @@ where
         }
     }
 
-    /// The first end of a body's way. Of bodies met at one time, the one with the smaller key, then
-    /// slot.
+    /// The first end of a body's way.
     #[inline(never)]
     fn look(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, End), SceneFault> {
         let since = slot.way.since;
         let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
-        let mut first = touched.hit.map_or((Toi::ONE, End::Step), |hit| (later(since, hit.toi), End::Level));
-        let mut rank = (0, 0);
+        let mut first = FirstEnd::of_level(touched.hit.map(|hit| later(since, hit.toi)));
         let replies = &mut *self.replies;
-        each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
-            if slot.way.ignores(&at.way) || senses(slot, at) {
-                return;
-            }
-            let Some(met) = Met::of((handle, slot), (other, at)) else { return };
-            let it = (met.time, first.1 == End::Level, (at.body.key, other.slot()));
-            let before = it < (first.0, false, rank) || (first.1 == End::Step && met.time <= first.0);
-            if before && replies.to(met.pair).acts() {
-                (first, rank) = ((met.time, End::Body(other.slot() as u16)), it.2);
-            }
+        each_near(self.near, self.slots, (self.movers, self.margin), handle, stops, |other, at| {
+            first.meet((handle, slot), (other, at), replies);
         });
-        Ok(first)
+        Ok(first.end)
+    }
+
+    /// The first end of the way of a body that waits, if others have turned on which it did not
+    /// depend. It may have ignored them before, and they may ignore it if they wait as well.
+    fn glance(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, End) {
+        let (mut first, passed) = (FirstEnd::known(self.slots, slot.way.end), slot.passed());
+        for other in turned {
+            let other = usize::from(other);
+            let near = |at: &&Slot<S>| at.way.pace == Pace::Swept && stops(slot, at) && at.passed().touches(&passed);
+            if let Some(at) = self.slots.get(other).filter(near) {
+                first.meet((handle, slot), (Handle::new(other, at.generation), at), self.replies);
+            }
+        }
+        first.end
     }
 
     /// Handles a hit of the level.
@@ -398,11 +409,9 @@ where
     #[inline(never)]
     fn sense(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
         let (each, replies) = (&mut *self.each, &mut *self.replies);
-        each_near(self.near, self.slots, self.movers, self.margin, handle, |other, at| {
+        let counts = |one: &Slot<S>, other: &Slot<S>| may_meet(one, other) && (R::CROSSES || senses(one, other));
+        each_near(self.near, self.slots, (self.movers, self.margin), handle, counts, |other, at| {
             let sensor = senses(slot, at);
-            if !R::CROSSES && !sensor {
-                return;
-            }
             let met = Met::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
             let told = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
             if let Some(met) = met.filter(|met| told(replies.to(met.pair))) {

@@ -101,10 +101,9 @@ impl BodyWay {
         Toi::exact(Toi::ONE.raw().wrapping_sub(at.raw())).of(self.rate)
     }
 
-    /// Whether its body, `of`, looks again if the one in a slot has turned. One that waits may have
-    /// ignored that one.
+    /// Whether its body, `of`, looks again if the one in a slot has turned.
     pub(super) fn depends_on(&self, of: Handle, slot: u16) -> bool {
-        of.slot() == usize::from(slot) || self.end.1 == End::Body(slot) || self.waits()
+        of.slot() == usize::from(slot) || self.end.1 == End::Body(slot)
     }
 
     /// Continues from a time on with another velocity.
