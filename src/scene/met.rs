@@ -63,8 +63,8 @@ impl Met {
     }
 }
 
-/// The first end of a way among those that were compared. The level's end goes before a body's at
-/// the same time. Of bodies, the one with the smaller key goes first, then that in the smaller slot.
+/// The first end of a way among those that were compared. At the same time, the level goes before
+/// bodies, then the body with the smaller key, then the one in the smaller slot.
 pub(super) struct FirstEnd {
     pub(super) end: (Toi, End),
     /// The key and the slot of the body, if one ends it.

@@ -149,11 +149,8 @@
 //!
 //! # Cost
 //!
-//! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
-//! [`SortSweep`](crate::broad::SortSweep): 221 000 instructions per step while they fly and land,
-//! at most 430 000, most of them the mover's. 804 000 if all lie in nooks of slopes and none may
-//! sleep; 57 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for a
-//! fifteenth of that: 53 000. Stack: 3.9 KB for such a step. [`Scene`] has other kinds of scenes.
+//! The mover takes most of a step. [`Scene`] has instructions, flash and stack, and says what a
+//! scene that [remembers](Scene::remembering) saves.
 //!
 //! # Games in a scene
 //!
