@@ -115,7 +115,7 @@ fn walking_speed() {
 /// A motion of thousands of units crosses the whole map.
 #[test]
 fn at_four_thousand_units_a_frame() {
-    let tally = worlds(200, frames() / 100, (24, 16), 4000);
+    let tally = worlds(200, frames() / 200, (24, 16), 4000);
     assert!(tally.hits > tally.frames / 4);
 }
 
