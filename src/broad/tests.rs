@@ -34,7 +34,7 @@ mod handle {
 
 #[allow(clippy::unwrap_used, reason = "a test")]
 mod ask {
-    use crate::broad::ask::First;
+    use crate::broad::ask::FirstFew;
     use crate::error::Truncated;
     use heapless::Vec;
 
@@ -58,7 +58,7 @@ mod ask {
 
     fn check<const K: usize>(items: &[(u32, u32)]) {
         let mut out = Vec::<_, K>::new();
-        let mut first = First::new(&mut out, |a: &(u32, u32), b| a < b);
+        let mut first = FirstFew::new(&mut out, |a: &(u32, u32), b| a < b);
         for &item in items {
             first.add(item);
         }

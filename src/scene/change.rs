@@ -3,7 +3,7 @@
 use super::body::{Mode, Slot, Tally};
 use super::kernel::BodyShape;
 use super::lean::NEAR;
-use super::memory::{Place, forget, keep};
+use super::memory::{Remembered, forget, keep};
 use super::met::around;
 use super::way::size;
 use super::{Scene, SceneBody, SceneError};
@@ -165,7 +165,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub fn wake_region(&mut self, region: &Aabb) {
         // Ways that led there may be of bodies that are elsewhere now.
         if let Some(ways) = self.memory.get_mut(N..) {
-            ways.fill(Place::Empty);
+            ways.fill(Remembered::Empty);
         }
         self.wake_near(region);
     }
@@ -221,7 +221,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 }
 
 /// A change by the game is no rest.
-fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Place], handle: Handle) {
+fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Remembered], handle: Handle) {
     keep(memory, handle.slot(), None);
     if let Some(slot) = slots.get_mut(handle.slot()) {
         slot.quiet = 0;

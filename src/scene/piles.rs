@@ -8,7 +8,7 @@
 use super::body::{ALOFT, FLIES, Mode, Slot};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, carried, toward};
-use super::memory::{Place, keep, rest_mut};
+use super::memory::{Remembered, keep, rest_mut};
 use super::met::{around, may_meet, pair, senses};
 use super::reply::{Replies, Reply};
 use super::trip::{Trip, hold};
@@ -88,7 +88,7 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
 struct Pile<'a, B, V, S, const M: usize> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
-    memory: &'a mut [Place; M],
+    memory: &'a mut [Remembered; M],
     trip: &'a Trip<'a, V>,
     /// How far a fixed body may be from where the broad phase has it.
     margin: u32,

@@ -2,7 +2,7 @@
 
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
-use super::memory::Place;
+use super::memory::Remembered;
 use super::{SceneBody, SceneError, Shape};
 use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -97,7 +97,7 @@ pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
     pub(super) awake: [Handle; N],
     pub(crate) count: usize,
     /// How the bodies in the first slots lie, and beyond N the ways of any.
-    pub(super) memory: [Place; M],
+    pub(super) memory: [Remembered; M],
     pub(crate) sleep: SleepDifference,
 }
 
@@ -172,7 +172,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             slots: [Slot::FREE; N],
             awake: [Handle::new(0, 0); N],
             count: 0,
-            memory: [Place::Empty; M],
+            memory: [Remembered::Empty; M],
             sleep: SleepDifference::of(sleep),
         }
     }

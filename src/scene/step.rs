@@ -5,13 +5,13 @@ use super::change::rouse;
 use super::idle::{are_idle, idle, is_idle, repeat, stir};
 use super::kernel::BodyShape;
 use super::lean::{NEAR, join_leaning, leans};
-use super::memory::{Place, keep};
+use super::memory::{Remembered, keep};
 use super::met::{around, may_meet, pair, senses};
 use super::pairs::{both, each_pair, join, kick, lay, root, tally};
-use super::reply::{Answer, Asked, Replies, Reply, Unasked};
+use super::reply::{Answer, ByCall, Replies, Reply, Unasked};
 use super::set::Sleep;
 use super::trip::Trip;
-use super::view::{Along, Common, Each, View};
+use super::view::{Common, EachLevel, EachLevelTraced, View};
 use super::way::{BodyWay, Pace};
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
@@ -113,7 +113,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         replies: impl FnMut(Pair) -> A,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.run(&Common(level), gravity, &mut Asked(replies), &mut each)
+        self.run(&Common(level), gravity, &mut ByCall(replies), &mut each)
     }
 
     /// Like [`step_with`](Self::step_with), with a level for each body: ghosts that pass curtains,
@@ -153,7 +153,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         replies: impl FnMut(Pair) -> A,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.run(&Each::by(level_of), gravity, &mut Asked(replies), &mut each)
+        self.run(&EachLevel::by(level_of), gravity, &mut ByCall(replies), &mut each)
     }
 
     /// Like [`step_in`](Self::step_in), and reports each way that a body makes: for all that it
@@ -205,8 +205,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         passed: impl FnMut(Handle, &S, &Trail),
     ) -> Result<Stepped, SceneError> {
         // What repeats is not told.
-        self.memory.fill(Place::Empty);
-        self.run(&Along::by(level_of, passed), gravity, &mut Asked(replies), &mut each)
+        self.memory.fill(Remembered::Empty);
+        self.run(&EachLevelTraced::by(level_of, passed), gravity, &mut ByCall(replies), &mut each)
     }
 
     fn run(
@@ -413,7 +413,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 
 /// Begins a step of all bodies that make one. Returns from where on the list has bodies that were
 /// woken since the last step began.
-fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle], gravity: Vec2) -> usize {
+fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Remembered], awake: &[Handle], gravity: Vec2) -> usize {
     let mut first = awake.len();
     for (at, handle) in awake.iter().enumerate().filter(|(_, handle)| !is_idle(memory, handle.slot())) {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };

@@ -14,12 +14,12 @@ use super::change::rouse;
 use super::idle::{reach_of, stir};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
-use super::memory::Place;
-use super::met::{FirstEnd, Met, around, each_near, may_meet, pair, reach, senses, stops};
+use super::memory::Remembered;
+use super::met::{Encounter, FirstEnd, around, each_near, may_meet, pair, reach, senses, stops};
 use super::reply::{Replies, Reply};
 use super::trip::{Touched, Trip, hold};
 use super::view::View;
-use super::way::{BodyWay, End, Heading, Pace, TURNS, common, later, size};
+use super::way::{BodyWay, Heading, Pace, TURNS, WayEnd, common, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -105,7 +105,7 @@ fn settle_on<S: BodyShape>(slots: &[Slot<S>], upper: &mut Slot<S>, lower: &Slot<
 struct Sweep<'a, B, V, S, R> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
-    memory: &'a mut [Place],
+    memory: &'a mut [Remembered],
     /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
@@ -130,10 +130,10 @@ where
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
-            match self.slots.get(handle.slot()).map_or(End::Step, |slot| slot.way.end.1) {
-                End::Step => break,
-                End::Level => self.bounce(handle),
-                End::Body(with) => self.clash(handle, with),
+            match self.slots.get(handle.slot()).map_or(WayEnd::Step, |slot| slot.way.end.1) {
+                WayEnd::Step => break,
+                WayEnd::Level => self.bounce(handle),
+                WayEnd::Body(with) => self.clash(handle, with),
             }
         }
         for handle in self.movers {
@@ -166,11 +166,11 @@ where
         self.movers.iter().filter(swept).copied().min_by_key(|handle| {
             let rank = |at: usize| (self.slots.get(at).map_or(0, |slot| slot.body.key), at);
             let mine = rank(handle.slot());
-            let (time, end) = self.slots.get(handle.slot()).map_or((Toi::ONE, End::Step), |slot| slot.way.end);
+            let (time, end) = self.slots.get(handle.slot()).map_or((Toi::ONE, WayEnd::Step), |slot| slot.way.end);
             let (kind, other) = match end {
-                End::Level => (0, mine),
-                End::Body(with) => (1, rank(with.into())),
-                End::Step => (2, mine),
+                WayEnd::Level => (0, mine),
+                WayEnd::Body(with) => (1, rank(with.into())),
+                WayEnd::Step => (2, mine),
             };
             (kind == 2, time, kind, mine.min(other), mine.max(other))
         })
@@ -210,7 +210,7 @@ where
                 Ok(end) => slot.way.end = end,
                 Err(fault) => {
                     (slot.body.velocity, slot.way.rate) = (Vec2::ZERO, Vec2::ZERO);
-                    (slot.way.turns, slot.way.end) = (BodyWay::HELD, (Toi::ONE, End::Step));
+                    (slot.way.turns, slot.way.end) = (BodyWay::HELD, (Toi::ONE, WayEnd::Step));
                     self.stepped.held += 1;
                     (self.each)(SceneEvent::Held(SceneError::of(handle, fault)));
                 }
@@ -220,7 +220,7 @@ where
 
     /// The first end of a body's way.
     #[inline(never)]
-    fn look(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, End), SceneFault> {
+    fn look(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, WayEnd), SceneFault> {
         let since = slot.way.since;
         let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
         let mut first = FirstEnd::of_level(touched.hit.map(|hit| later(since, hit.toi)));
@@ -233,7 +233,7 @@ where
 
     /// The first end of the way of a body that waits, if others have turned on which it did not
     /// depend. It may have ignored them before, and they may ignore it if they wait as well.
-    fn glance(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, End) {
+    fn glance(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, WayEnd) {
         let (mut first, passed) = (FirstEnd::known(self.slots, slot.way.end), slot.passed());
         for other in turned {
             let other = usize::from(other);
@@ -280,7 +280,7 @@ where
         let slots = &*self.slots;
         let (Some(slot), Some(other)) = (slots.get(handle.slot()), slots.get(usize::from(with))) else { return };
         let (one, two) = ((handle, *slot), (Handle::new(with.into(), other.generation), *other));
-        if let Some(met) = Met::of((one.0, &one.1), (two.0, &two.1)) {
+        if let Some(met) = Encounter::of((one.0, &one.1), (two.0, &two.1)) {
             for (at, slot) in [&one, &two] {
                 if slot.way.pace == Pace::Swept {
                     self.sense(*at, slot, met.time);
@@ -296,7 +296,7 @@ where
     }
 
     #[inline(never)]
-    fn meet(&mut self, met: &Met) {
+    fn meet(&mut self, met: &Encounter) {
         let Pair { a, b } = met.pair;
         for (at, place) in [(a, met.place_a), (b, met.place_b)] {
             let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
@@ -412,7 +412,7 @@ where
         let counts = |one: &Slot<S>, other: &Slot<S>| may_meet(one, other) && (R::CROSSES || senses(one, other));
         each_near(self.near, self.slots, (self.movers, self.margin), handle, counts, |other, at| {
             let sensor = senses(slot, at);
-            let met = Met::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
+            let met = Encounter::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
             let told = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
             if let Some(met) = met.filter(|met| told(replies.to(met.pair))) {
                 let (a, b) = if met.pair.a == handle { (slot, at) } else { (at, slot) };

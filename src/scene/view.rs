@@ -47,12 +47,12 @@ impl<W: World, S> View<S> for Common<'_, W> {
 }
 
 /// A call that says which.
-pub(super) struct Each<'l, W, F> {
+pub(super) struct EachLevel<'l, W, F> {
     of: F,
     level: PhantomData<&'l W>,
 }
 
-impl<'l, W, F> Each<'l, W, F> {
+impl<'l, W, F> EachLevel<'l, W, F> {
     pub(super) fn by<S>(of: F) -> Self
     where
         F: Fn(&SceneBody<S>) -> &'l W,
@@ -61,7 +61,7 @@ impl<'l, W, F> Each<'l, W, F> {
     }
 }
 
-impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for Each<'l, W, F> {
+impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for EachLevel<'l, W, F> {
     type Level = W;
 
     fn level(&self, body: &SceneBody<S>) -> &W {
@@ -70,19 +70,19 @@ impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for Each<'l, W, F> 
 }
 
 /// The same, and a call that receives each way.
-pub(super) struct Along<'l, W, F, T> {
-    levels: Each<'l, W, F>,
+pub(super) struct EachLevelTraced<'l, W, F, T> {
+    levels: EachLevel<'l, W, F>,
     /// Taken while it runs.
     told: Cell<Option<T>>,
 }
 
-impl<'l, W, F, T> Along<'l, W, F, T> {
+impl<'l, W, F, T> EachLevelTraced<'l, W, F, T> {
     pub(super) fn by<S>(of: F, told: T) -> Self
     where
         F: Fn(&SceneBody<S>) -> &'l W,
         T: FnMut(Handle, &S, &Trail),
     {
-        Self { levels: Each::by(of), told: Cell::new(Some(told)) }
+        Self { levels: EachLevel::by(of), told: Cell::new(Some(told)) }
     }
 
     fn passed<S>(&self, handle: Handle, from: &S, trail: &Trail)
@@ -100,7 +100,7 @@ impl<'l, W, F, T> Along<'l, W, F, T> {
 }
 
 impl<'l, W: World, S: BodyShape, F: Fn(&SceneBody<S>) -> &'l W, T: FnMut(Handle, &S, &Trail)> View<S>
-    for Along<'l, W, F, T>
+    for EachLevelTraced<'l, W, F, T>
 {
     type Level = W;
 

@@ -1,5 +1,5 @@
-//! The surfaces that a mover can have: one without friction, one with it, and both with responses of
-//! their own to some of the hits.
+//! The surfaces that a mover can have: without friction or with it, and with separate responses to
+//! some hits.
 
 use super::surface::Surface;
 use super::table::{Response, Responses};
