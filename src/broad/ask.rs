@@ -226,12 +226,12 @@ pub(in crate::broad) fn neighbours<S: Spatial>(
         }
         reach
     });
-    let told = first.sort();
+    let sorted = first.sort();
     // Computes roots only of the bodies that stay in the list.
     for near in out.iter_mut() {
         near.distance = distance(square_to(bodies, p, near.handle.slot()));
     }
-    Ok(told?)
+    Ok(sorted?)
 }
 
 /// A body whose box a ray or a moving box touches.

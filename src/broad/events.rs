@@ -205,8 +205,8 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// The fate of each pair in the frame that ended last, in ascending order of pairs; empty once
     /// you have fed the next frame.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
-        let told: &[EventEntry<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
-        told.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
+        let listed: &[EventEntry<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
+        listed.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
             Mark::New => PairEvent::Begin(pair),
             Mark::Old => PairEvent::End(pair),
             Mark::Both => PairEvent::Stay(pair),

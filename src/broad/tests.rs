@@ -62,13 +62,13 @@ mod ask {
         for &item in items {
             first.add(item);
         }
-        let told = first.sort();
+        let sorted = first.sort();
         let mut expected = items.iter().copied().collect::<Vec<_, 6>>();
         expected.sort_unstable();
         let kept = expected.len().min(K);
         assert_eq!(out, expected.get(..kept).unwrap());
         let (seen, cut) = (items.len() as u32, items.len() > K);
-        assert_eq!(told, if cut { Err(Truncated { seen, kept: kept as u32 }) } else { Ok(()) });
+        assert_eq!(sorted, if cut { Err(Truncated { seen, kept: kept as u32 }) } else { Ok(()) });
     }
 }
 

@@ -367,7 +367,7 @@ impl Ways {
                 return;
             }
             let Some(entry) = &body.sweep_in::<W>(probe, feature) else { return };
-            if !hits.tell_of(entry.normal, feature) && room_to(probe, entry).is_some() {
+            if !hits.already_lists(entry.normal, feature) && room_to(probe, entry).is_some() {
                 first.add::<B, W>(entry, feature, probe);
             }
         });

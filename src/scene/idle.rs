@@ -5,7 +5,8 @@
 //! those of the last one.
 //!
 //! This holds as long as nobody else comes near. A body that is not idle goes no farther in a step
-//! than [`disturb`](Scene::disturb) allows for. All within that make their steps in full.
+//! than [`stop_idling_in_reach`](Scene::stop_idling_in_reach) allows for. All within that make their
+//! steps in full.
 
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
@@ -45,7 +46,7 @@ pub(super) fn is_idle(memory: &[Remembered], at: usize) -> bool {
 }
 
 /// Has the body in a slot make its next step in full. Returns whether it was idle.
-pub(super) fn stir(memory: &mut [Remembered], at: usize) -> bool {
+pub(super) fn stop_idling(memory: &mut [Remembered], at: usize) -> bool {
     let Some(rest) = rest_mut(memory, at) else { return false };
     core::mem::replace(&mut rest.idle, Idle::No) != Idle::No
 }
@@ -76,7 +77,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// sum of four times the velocity and of the overlap, over all that it may meet, directly or
     /// not. These are a company: two join if they are no farther apart than both may come.
     #[inline(never)]
-    pub(super) fn disturb(&mut self, gravity: Vec2) {
+    pub(super) fn stop_idling_in_reach(&mut self, gravity: Vec2) {
         let Self { near, slots, awake, count, memory, .. } = self;
         let awake = awake.get(..*count).unwrap_or_default();
         // A body that sleeps may wake in this step, and move.
@@ -124,7 +125,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                         if !within.touches(&box_) {
                             return;
                         }
-                        stir(memory, other.slot());
+                        stop_idling(memory, other.slot());
                         it.goes_alone(other, more);
                     } else {
                         let theirs = usize::from(root(slots, other.slot() as u16));

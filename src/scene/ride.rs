@@ -195,7 +195,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     fn wake_on(&mut self, from: usize, gravity: Vec2) {
         let awake = self.count;
         self.wake_along(from, gravity, &mut Unasked);
-        self.tell_woken(awake);
+        self.mark_woken(awake);
     }
 
     /// The bodies with this many others below them go with one that is carried, if they lie on one.

@@ -223,8 +223,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             return Err(SceneError::call(BroadError::Full { capacity: N as u16 }));
         };
         *slot = Slot::of(body, handle);
-        self.rouse(handle, false);
-        self.stir(body);
+        self.wake_body(handle, false);
+        self.wake_neighbours(body);
         Ok(handle)
     }
 
@@ -235,11 +235,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub fn remove(&mut self, handle: Handle) -> Result<SceneBody<S>, SceneError> {
         let body = *self.body(handle)?;
         self.leave(handle).map_err(|e| SceneError::of(handle, e))?;
-        self.strike(handle);
+        self.remove_from_awake(handle);
         if let Some(slot) = self.slots.get_mut(handle.slot()) {
             *slot = Slot::FREE;
         }
-        self.stir(&body);
+        self.wake_neighbours(&body);
         Ok(body)
     }
 

@@ -8,16 +8,16 @@
 //! changes its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet
 //! again in the step move along each other, and their velocities meet in the next one.
 
-use super::blocked::in_vain;
+use super::blocked::blocked_sides;
 use super::body::{ALOFT, NOBODY, Slot};
-use super::change::rouse;
-use super::idle::{reach_of, stir};
+use super::change::add_to_awake;
+use super::idle::{reach_of, stop_idling};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
 use super::memory::Remembered;
 use super::met::{Encounter, FirstEnd, around, each_near, may_meet, pair, reach, senses, stops};
 use super::reply::{Replies, Reply};
-use super::trip::{Touched, Trip, hold};
+use super::trip::{Touched, Trip, hold_in_place};
 use super::view::View;
 use super::way::{BodyWay, Heading, Pace, TURNS, WayEnd, common, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
@@ -33,7 +33,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// the level holds, if nobody is in reach before a third body turns it: others meet them where
     /// they are.
     #[inline(never)]
-    pub(super) fn let_go<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
+    pub(super) fn release_unreachable<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
         let widest = movers
@@ -78,7 +78,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let woken = sweep.woken;
         stepped.woken += woken as u16;
         self.count += woken;
-        self.tell_woken(from);
+        self.mark_woken(from);
         let quiet =
             |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= self.sleep().steps);
         self.awake().iter().any(quiet)
@@ -132,12 +132,12 @@ where
         while let Some(handle) = self.earliest() {
             match self.slots.get(handle.slot()).map_or(WayEnd::Step, |slot| slot.way.end.1) {
                 WayEnd::Step => break,
-                WayEnd::Level => self.bounce(handle),
-                WayEnd::Body(with) => self.clash(handle, with),
+                WayEnd::Level => self.hit_level(handle),
+                WayEnd::Body(with) => self.meet_body(handle, with),
             }
         }
         for handle in self.movers {
-            self.land(*handle);
+            self.finish(*handle);
         }
         self.slots.iter_mut().for_each(|slot| slot.way = BodyWay::REST);
     }
@@ -183,14 +183,14 @@ where
     fn look_again(&mut self, mut turned: Option<[u16; 2]>) {
         loop {
             let held = self.stepped.held;
-            self.look_all(turned.take());
+            self.find_ends(turned.take());
             if self.stepped.held == held {
                 break;
             }
         }
     }
 
-    fn look_all(&mut self, turned: Option<[u16; 2]>) {
+    fn find_ends(&mut self, turned: Option<[u16; 2]>) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
             if slot.way.pace != Pace::Swept || slot.way.is_held() {
@@ -201,9 +201,9 @@ where
                     if !slot.way.waits() {
                         continue;
                     }
-                    Ok(self.glance(handle, &slot, turned))
+                    Ok(self.compare_turned(handle, &slot, turned))
                 }
-                _ => self.look(handle, &slot),
+                _ => self.find_end(handle, &slot),
             };
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             match end {
@@ -220,7 +220,7 @@ where
 
     /// The first end of a body's way.
     #[inline(never)]
-    fn look(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, WayEnd), SceneFault> {
+    fn find_end(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, WayEnd), SceneFault> {
         let since = slot.way.since;
         let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
         let mut first = FirstEnd::of_level(touched.hit.map(|hit| later(since, hit.toi)));
@@ -233,7 +233,7 @@ where
 
     /// The first end of the way of a body that waits, if others have turned on which it did not
     /// depend. It may have ignored them before, and they may ignore it if they wait as well.
-    fn glance(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, WayEnd) {
+    fn compare_turned(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, WayEnd) {
         let (mut first, passed) = (FirstEnd::known(self.slots, slot.way.end), slot.passed());
         for other in turned {
             let other = usize::from(other);
@@ -247,17 +247,17 @@ where
 
     /// Handles a hit of the level.
     #[inline(never)]
-    fn bounce(&mut self, handle: Handle) {
+    fn hit_level(&mut self, handle: Handle) {
         let Some(slot) = self.slots.get(handle.slot()).copied() else { return };
         let (time, _) = slot.way.end;
-        self.sense(handle, &slot, time);
+        self.report_sensors(handle, &slot, time);
         let touched = self.trip.touch(&slot.body, slot.way.left(slot.way.since));
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         slot.way.turns += u8::from(slot.way.turns < TURNS);
         let mut push = pushed(slot);
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
-            self.trip.tell(handle, &slot.body.shape, &shape);
+            self.trip.report_way(handle, &slot.body.shape, &shape);
             slot.body.shape = shape;
             slot.body.velocity = self.trip.after(&slot.body, &hit);
             // It is pushed along the surface.
@@ -276,14 +276,14 @@ where
 
     /// Handles a meeting of two bodies.
     #[inline(never)]
-    fn clash(&mut self, handle: Handle, with: u16) {
+    fn meet_body(&mut self, handle: Handle, with: u16) {
         let slots = &*self.slots;
         let (Some(slot), Some(other)) = (slots.get(handle.slot()), slots.get(usize::from(with))) else { return };
         let (one, two) = ((handle, *slot), (Handle::new(with.into(), other.generation), *other));
         if let Some(met) = Encounter::of((one.0, &one.1), (two.0, &two.1)) {
             for (at, slot) in [&one, &two] {
                 if slot.way.pace == Pace::Swept {
-                    self.sense(*at, slot, met.time);
+                    self.report_sensors(*at, slot, met.time);
                 }
             }
             self.meet(&met);
@@ -317,8 +317,8 @@ where
         if !again {
             let speed = met.axis.approach(other.body.velocity - one.body.velocity);
             (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
-            rouse(self.slots, self.room, &mut self.woken, a);
-            rouse(self.slots, self.room, &mut self.woken, b);
+            add_to_awake(self.slots, self.room, &mut self.woken, a);
+            add_to_awake(self.slots, self.room, &mut self.woken, b);
             let axis = (met.axis, self.replies.to(met.pair));
             if let Some(meeting) = Meeting::of_pile(self.slots, &one, &other, axis, self.trip.gravity) {
                 let (by_a, by_b) = meeting.kicks(1);
@@ -397,7 +397,7 @@ where
                 // A body that has already moved in this step does not fall asleep at its end.
                 if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
                     slot.quiet = 0;
-                    stir(self.memory, at.slot());
+                    stop_idling(self.memory, at.slot());
                 }
                 (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
                 (slot.support, slot.ground) = (from.support, from.ground);
@@ -407,14 +407,14 @@ where
 
     /// Reports the sensors on a way that ends at a time.
     #[inline(never)]
-    fn sense(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
+    fn report_sensors(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
         let (each, replies) = (&mut *self.each, &mut *self.replies);
         let counts = |one: &Slot<S>, other: &Slot<S>| may_meet(one, other) && (R::CROSSES || senses(one, other));
         each_near(self.near, self.slots, (self.movers, self.margin), handle, counts, |other, at| {
             let sensor = senses(slot, at);
             let met = Encounter::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
-            let told = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
-            if let Some(met) = met.filter(|met| told(replies.to(met.pair))) {
+            let reports = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
+            if let Some(met) = met.filter(|met| reports(replies.to(met.pair))) {
                 let (a, b) = if met.pair.a == handle { (slot, at) } else { (at, slot) };
                 let speed = met.axis.approach(b.body.velocity - a.body.velocity);
                 each(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
@@ -424,13 +424,13 @@ where
 
     /// Only the step ends its way.
     #[inline(never)]
-    fn land(&mut self, handle: Handle) {
+    fn finish(&mut self, handle: Handle) {
         let swept = |slot: &&Slot<S>| slot.way.pace == Pace::Swept;
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
-        self.sense(handle, &slot, Toi::ONE);
+        self.report_sensors(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         if let Ok(touched) = self.trip.touch(&slot.body, slot.way.left(slot.way.since)) {
-            self.trip.tell(handle, &slot.body.shape, &touched.shape);
+            self.trip.report_way(handle, &slot.body.shape, &touched.shape);
             slot.body.shape = touched.shape;
         }
         slot.way.since = Toi::ONE;
@@ -439,12 +439,12 @@ where
         }
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
-        slot.block(in_vain(slot.tally.push(), by), by);
+        slot.block(blocked_sides(slot.tally.push(), by), by);
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {
                 slot.body.shape = slot.body.shape.shifted(Vec2::ZERO - by);
-                hold(slot, handle, fault.into(), self.stepped, self.each);
+                hold_in_place(slot, handle, fault.into(), self.stepped, self.each);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The way of one body through the level.
 
-use super::blocked::in_vain;
+use super::blocked::blocked_sides;
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
 use super::lean::{down, holds_up};
@@ -122,7 +122,7 @@ impl<V> Trip<'_, V> {
         };
         if let Err(fault) = done {
             keep(memory, at, None);
-            hold(slot, handle, fault, stepped, each);
+            hold_in_place(slot, handle, fault, stepped, each);
         }
     }
 
@@ -186,7 +186,7 @@ impl<V> Trip<'_, V> {
         let (mut start, mut blocked, Causes { push, velocity, .. }) = (*body, 0, causes);
         if push != Vec2::ZERO {
             start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
-            blocked = in_vain(push, start.position() - body.position());
+            blocked = blocked_sides(push, start.position() - body.position());
         }
         let result = self.view.go(&self.bouncing(&slot.body), (handle, &slot.body), &start, velocity);
         // Matched by reference: it is long.
@@ -231,7 +231,7 @@ impl<V> Trip<'_, V> {
 
     /// Whether a body that gravity moves would run into the level or another body at once.
     #[inline(never)]
-    pub(super) fn holds<S: BodyShape>(
+    pub(super) fn is_held_up<S: BodyShape>(
         &self,
         slots: &[Slot<S>],
         near: &impl BroadPhase<Tag = Keyed<Filter>>,
@@ -259,11 +259,11 @@ impl<V> Trip<'_, V> {
     }
 
     /// A body has made a straight way.
-    pub(super) fn tell<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
+    pub(super) fn report_way<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
     where
         V: View<S>,
     {
-        self.view.tell(handle, from, to.position() - from.position());
+        self.view.report_way(handle, from, to.position() - from.position());
     }
 
     /// The surface that the level has for a body.
@@ -366,7 +366,7 @@ impl<S> Touched<S> {
 }
 
 /// A body that cannot be moved stays.
-pub(super) fn hold<S>(
+pub(super) fn hold_in_place<S>(
     slot: &mut Slot<S>,
     handle: Handle,
     fault: SceneFault,

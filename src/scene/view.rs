@@ -32,7 +32,7 @@ pub(super) trait View<S> {
         mover.move_and_slide(self.level(body), from, by)
     }
     /// A body has moved on a straight way.
-    fn tell(&self, _: Handle, _: &S, _: Vec2) {}
+    fn report_way(&self, _: Handle, _: &S, _: Vec2) {}
 }
 
 /// One for all bodies.
@@ -73,16 +73,16 @@ impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for EachLevel<'l, W
 pub(super) struct EachLevelTraced<'l, W, F, T> {
     levels: EachLevel<'l, W, F>,
     /// Taken while it runs.
-    told: Cell<Option<T>>,
+    receiver: Cell<Option<T>>,
 }
 
 impl<'l, W, F, T> EachLevelTraced<'l, W, F, T> {
-    pub(super) fn by<S>(of: F, told: T) -> Self
+    pub(super) fn by<S>(of: F, receiver: T) -> Self
     where
         F: Fn(&SceneBody<S>) -> &'l W,
         T: FnMut(Handle, &S, &Trail),
     {
-        Self { levels: EachLevel::by(of), told: Cell::new(Some(told)) }
+        Self { levels: EachLevel::by(of), receiver: Cell::new(Some(receiver)) }
     }
 
     fn passed<S>(&self, handle: Handle, from: &S, trail: &Trail)
@@ -92,9 +92,9 @@ impl<'l, W, F, T> EachLevelTraced<'l, W, F, T> {
         if trail.parts().next().is_none() {
             return;
         }
-        if let Some(mut told) = self.told.take() {
-            told(handle, from, trail);
-            self.told.set(Some(told));
+        if let Some(mut receiver) = self.receiver.take() {
+            receiver(handle, from, trail);
+            self.receiver.set(Some(receiver));
         }
     }
 }
@@ -121,7 +121,7 @@ impl<'l, W: World, S: BodyShape, F: Fn(&SceneBody<S>) -> &'l W, T: FnMut(Handle,
         Ok(moved)
     }
 
-    fn tell(&self, handle: Handle, from: &S, by: Vec2) {
+    fn report_way(&self, handle: Handle, from: &S, by: Vec2) {
         self.passed(handle, from, &Trail::straight(by));
     }
 }
