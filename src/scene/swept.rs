@@ -13,18 +13,17 @@ use super::body::{ALOFT, NOBODY, Slot};
 use super::change::add_to_awake;
 use super::idle::{reach_of, stop_idling};
 use super::kernel::BodyShape;
-use super::meeting::{Meeting, Top, toward};
 use super::memory::Remembered;
 use super::met::{Encounter, FirstEnd, around, each_near, may_meet, pair, reach, senses, stops};
 use super::reply::{Replies, Reply};
 use super::trip::{Touched, Trip, hold_in_place};
+use super::two_ways::{TwoWays, pushed};
 use super::view::View;
-use super::way::{BodyWay, Heading, Pace, TURNS, WayEnd, common, later, size};
+use super::way::{BodyWay, Heading, Pace, TURNS, WayEnd, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
-use crate::broad::{BroadPhase, Handle, Keyed, Pair};
+use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
-use crate::motion::response::exchange;
-use crate::motion::{Hit, Hits, Masses, Surface};
+use crate::motion::{Hit, Hits, Surface};
 use crate::num::{Toi, Vec2};
 use crate::query::Touches;
 
@@ -83,23 +82,6 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= self.sleep().steps);
         self.awake().iter().any(quiet)
     }
-}
-
-/// What moves a body beside its velocity: its push, until it meets another body. From then on,
-/// others may lead it.
-fn pushed<S>(slot: &Slot<S>) -> Vec2 {
-    if slot.way.met.1 == 0 { slot.way.rate - slot.body.velocity } else { Vec2::ZERO }
-}
-
-/// A body comes to lie on one that something carries in this step.
-fn settle_on<S: BodyShape>(slots: &[Slot<S>], upper: &mut Slot<S>, lower: &Slot<S>, at: Handle) {
-    if lower.way.aloft || lower.support == ALOFT {
-        return;
-    }
-    if upper.way.aloft {
-        (upper.support, upper.ground, upper.way.aloft) = (ALOFT, NOBODY, false);
-    }
-    upper.lie_on(slots, lower, at);
 }
 
 struct Sweep<'a, B, V, S, R> {
@@ -297,112 +279,54 @@ where
 
     #[inline(never)]
     fn meet(&mut self, met: &Encounter) {
-        let Pair { a, b } = met.pair;
-        for (at, place) in [(a, met.place_a), (b, met.place_b)] {
+        self.place_at_meeting(met);
+        let Some(mut ways) = TwoWays::of(self.slots, met) else { return };
+        if !ways.again {
+            self.report(met, &ways);
+            let reply = self.replies.to(met.pair);
+            ways.exchange_velocities(self.slots, reply, self.trip.gravity);
+        }
+        ways.settle(self.slots, self.trip.gravity);
+        ways.go_on();
+        ways.part();
+        ways.count_turns();
+        for (at, from) in [(met.pair.a, ways.one), (met.pair.b, ways.other)] {
+            self.commit(at, &from);
+        }
+    }
+
+    /// Moves the swept ones of two bodies to where they meet. Tested against the level, because the
+    /// position is rounded: a body on a floor might lead into it.
+    fn place_at_meeting(&mut self, met: &Encounter) {
+        for (at, place) in [(met.pair.a, met.place_a), (met.pair.b, met.place_b)] {
             let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
                 continue;
             };
-            // Tested against the level, because the position is rounded: a body on a floor might
-            // lead into it.
             if let Ok(shape) = self.trip.slide(at, &slot.body, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
             slot.way.since = met.time;
         }
-        let Some((one, other)) = super::pairs::both(self.slots, met.pair) else { return };
-        let (mut one, mut other) = (*one, *other);
-        let again = one.way.has_met(b) || other.way.has_met(a);
-        let together = common(one.way.rate, other.way.rate);
-        let (push, push_of_other) = (pushed(&one), pushed(&other));
-        if !again {
-            let speed = met.axis.approach(other.body.velocity - one.body.velocity);
-            (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
-            add_to_awake(self.slots, self.room, &mut self.woken, a);
-            add_to_awake(self.slots, self.room, &mut self.woken, b);
-            let axis = (met.axis, self.replies.to(met.pair));
-            if let Some(meeting) = Meeting::of_pile(self.slots, &one, &other, axis, self.trip.gravity) {
-                let (by_a, by_b) = meeting.kicks(1);
-                for (slot, by) in [(&mut one, by_a), (&mut other, by_b)] {
-                    if !slot.way.is_held() {
-                        slot.body.velocity += by;
-                    }
-                }
-            }
+    }
+
+    /// Reports that two bodies meet for the first time, and wakes them.
+    fn report(&mut self, met: &Encounter, ways: &TwoWays<'_, S>) {
+        let speed = met.axis.approach(ways.other.body.velocity - ways.one.body.velocity);
+        (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
+        add_to_awake(self.slots, self.room, &mut self.woken, met.pair.a);
+        add_to_awake(self.slots, self.room, &mut self.woken, met.pair.b);
+    }
+
+    /// Takes over how a body goes on.
+    fn commit(&mut self, at: Handle, from: &Slot<S>) {
+        let Some(slot) = self.slots.get_mut(at.slot()) else { return };
+        // A body that has already moved in this step does not fall asleep at its end.
+        if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
+            slot.quiet = 0;
+            stop_idling(self.memory, at.slot());
         }
-        let top = Top::of(met.axis, toward(self.trip.gravity));
-        match top {
-            Top::A if one.way.pace == Pace::Swept => settle_on(self.slots, &mut one, &other, b),
-            Top::B if other.way.pace == Pace::Swept => settle_on(self.slots, &mut other, &one, a),
-            _ => {}
-        }
-        for (slot, with, push) in [(&mut one, b, push), (&mut other, a, push_of_other)] {
-            if slot.way.pace == Pace::Swept {
-                if !again {
-                    slot.way.note(with);
-                }
-                // A body that it has already met leads it, with its own velocity.
-                let rate = if again || slot.way.waits() { slot.way.rate } else { slot.body.velocity + push };
-                slot.way.go_on(met.time, rate);
-            }
-        }
-        // The rest of the two ways must not lead into each other, whatever the velocities are. A
-        // speed below the sum of the masses, in raw units, may be too low to be shared by them.
-        // Then one yields, as when they meet again.
-        let goes = (one.way.goes(), other.way.goes());
-        let shared = match goes {
-            (true, true) if !again => {
-                one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get()))
-            }
-            _ => None,
-        };
-        // One that was stopped on its way there cannot yield: it would meet what stopped it, and
-        // the other again, until both wait.
-        let stopped = (one.way.stop.bars(met.axis.reversed()), other.way.stop.bars(met.axis));
-        let first_yields = if stopped.0 == stopped.1 { top == Top::A } else { stopped.1 };
-        let yields = match goes {
-            (true, other_goes) if first_yields || !other_goes => Some(Masses::B_FIXED),
-            (_, true) => Some(Masses::A_FIXED),
-            _ => None,
-        };
-        match yields {
-            Some(Masses::B_FIXED) if stopped.1 || !goes.1 => one.way.stop = Heading::of(met.axis),
-            Some(Masses::A_FIXED) if stopped.0 || !goes.0 => other.way.stop = Heading::of(met.axis.reversed()),
-            _ => {}
-        }
-        for masses in [shared, yields].into_iter().flatten() {
-            if let Ok(rates) = exchange(one.way.rate, other.way.rate, met.axis, masses, &Surface::SLICK) {
-                (one.way.rate, other.way.rate) = rates;
-            }
-        }
-        if again && met.axis.x != 0 && met.axis.y != 0 {
-            // Their ways are rounded: along a slanted side they would approach by a raw unit, meet
-            // at once, and wait.
-            let apart = Vec2::from_raw(2 * met.axis.x.signum(), 2 * met.axis.y.signum());
-            match yields {
-                Some(Masses::B_FIXED) => one.way.rate -= apart,
-                Some(_) => other.way.rate += apart,
-                None => {}
-            }
-        }
-        for (slot, goes_on) in [(&mut one, goes.1), (&mut other, goes.0)] {
-            if slot.way.pace == Pace::Swept && !(slot.way.waits() && goes_on) {
-                slot.way.turns += u8::from(slot.way.turns < TURNS);
-                if slot.way.waits() {
-                    slot.way.rate = together;
-                }
-            }
-        }
-        for (at, from) in [(a, one), (b, other)] {
-            if let Some(slot) = self.slots.get_mut(at.slot()) {
-                // A body that has already moved in this step does not fall asleep at its end.
-                if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
-                    slot.quiet = 0;
-                    stop_idling(self.memory, at.slot());
-                }
-                (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
-                (slot.support, slot.ground) = (from.support, from.ground);
-            }
-        }
+        (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
+        (slot.support, slot.ground) = (from.support, from.ground);
     }
 
     /// Reports the sensors on a way that ends at a time.
