@@ -8,7 +8,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// The saved form of a `T`, which is checked on reading.
-pub(crate) trait Form<T>: Sized {
+pub(crate) trait StoredForm<T>: Sized {
     /// Why a form is refused.
     type Fault: fmt::Display;
 
@@ -17,12 +17,12 @@ pub(crate) trait Form<T>: Sized {
     fn check(self) -> Result<T, Self::Fault>;
 }
 
-pub(crate) fn write<T, F: Form<T> + Serialize, S: Serializer>(value: &T, to: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn write<T, F: StoredForm<T> + Serialize, S: Serializer>(value: &T, to: S) -> Result<S::Ok, S::Error> {
     F::of(value).serialize(to)
 }
 
 /// The fault says what is wrong, and the name of the type in which part of a state.
-pub(crate) fn read<'de, T, F: Form<T> + Deserialize<'de>, D: Deserializer<'de>>(
+pub(crate) fn read<'de, T, F: StoredForm<T> + Deserialize<'de>, D: Deserializer<'de>>(
     name: &str,
     from: D,
 ) -> Result<T, D::Error> {

@@ -17,14 +17,14 @@ use heapless::{Vec, VecView};
 /// While there is room they are only stored. Where it ends they become a heap with the last one on
 /// top, which each one that goes before it replaces. Of n items, k of them kept, that takes 2 n
 /// log2 k comparisons at most and sorting as many for the k: both bounded, in place.
-pub(in crate::broad) struct First<'a, T, F> {
+pub(in crate::broad) struct FirstFew<'a, T, F> {
     out: &'a mut VecView<T>,
     /// A strict total order.
     before: F,
     seen: u32,
 }
 
-impl<'a, T: Copy, F: Fn(&T, &T) -> bool> First<'a, T, F> {
+impl<'a, T: Copy, F: Fn(&T, &T) -> bool> FirstFew<'a, T, F> {
     /// Of an empty buffer.
     pub(in crate::broad) fn new(out: &'a mut VecView<T>, before: F) -> Self {
         Self { out, before, seen: 0 }
@@ -113,7 +113,7 @@ pub(in crate::broad) fn sorted_pairs<S: Spatial>(phase: &mut S, out: &mut VecVie
         batch.clear();
         let walked = phase.walk(&mut cursor, &mut Unlimited, |pair| batch.push(pair).is_ok());
         let bodies = phase.table();
-        let mut first = First { out, before: |a: &Pair, b: &Pair| pair_before(bodies, *a, *b), seen };
+        let mut first = FirstFew { out, before: |a: &Pair, b: &Pair| pair_before(bodies, *a, *b), seen };
         for &pair in &batch {
             first.add(pair);
         }
@@ -138,7 +138,7 @@ pub(in crate::broad) fn sorted_region<S: Spatial>(
 ) -> Result<(), Truncated> {
     out.clear();
     let bodies = phase.table();
-    let mut first = First::new(out, |a: &Handle, b: &Handle| bodies.rank(*a) < bodies.rank(*b));
+    let mut first = FirstFew::new(out, |a: &Handle, b: &Handle| bodies.rank(*a) < bodies.rank(*b));
     phase.visit(region, |slot| first.add(bodies.handle(slot)));
     first.sort()
 }
@@ -218,7 +218,7 @@ pub(in crate::broad) fn neighbours<S: Spatial>(
     let bodies = phase.table();
     let limit = usqr(reach as u32);
     let order = |near: &Nearest| (square_to(bodies, p, near.handle.slot()), bodies.rank(near.handle));
-    let mut first = First::new(out, |a: &Nearest, b: &Nearest| order(a) < order(b));
+    let mut first = FirstFew::new(out, |a: &Nearest, b: &Nearest| order(a) < order(b));
     phase.visit_near(p, reach, |slot| {
         let handle = bodies.handle(slot);
         if square_to(bodies, p, slot) <= limit && bodies.tags.get(slot).is_some_and(|tag| wanted(handle, tag)) {
@@ -226,12 +226,12 @@ pub(in crate::broad) fn neighbours<S: Spatial>(
         }
         reach
     });
-    let told = first.sort();
+    let sorted = first.sort();
     // Computes roots only of the bodies that stay in the list.
     for near in out.iter_mut() {
         near.distance = distance(square_to(bodies, p, near.handle.slot()));
     }
-    Ok(told?)
+    Ok(sorted?)
 }
 
 /// A body whose box a ray or a moving box touches.
@@ -328,7 +328,7 @@ pub(in crate::broad) fn cast<S: Spatial>(
 ) -> Result<(), QueryError> {
     out.clear();
     let d = checked_way(start, motion)?;
-    let mut first = First::new(out, earlier(phase.table()));
+    let mut first = FirstFew::new(out, earlier(phase.table()));
     visit_way(phase, start, d, |handle, tag, toi| {
         if wanted(handle, tag) {
             first.add(BroadHit { handle, toi });

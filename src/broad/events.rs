@@ -8,44 +8,48 @@ use crate::error::Truncated;
 /// a memory routine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(align(4))]
-pub(in crate::broad) struct Entry<K, V>(pub(in crate::broad) Option<(K, V)>);
+pub(in crate::broad) struct EventEntry<K, V>(pub(in crate::broad) Option<(K, V)>);
 
 /// The index of a key, or where it would go: the first entry that is not below it.
 #[inline]
-pub(in crate::broad) fn place<K: Ord, V>(entries: &[Entry<K, V>], key: &K) -> usize {
-    entries.partition_point(|entry| matches!(entry, Entry(Some((k, _))) if k < key))
+pub(in crate::broad) fn place<K: Ord, V>(entries: &[EventEntry<K, V>], key: &K) -> usize {
+    entries.partition_point(|entry| matches!(entry, EventEntry(Some((k, _))) if k < key))
 }
 
 /// The value under a key that was searched for.
 #[inline]
-pub(in crate::broad) fn known<'a, K: Eq, V>(entries: &'a mut [Entry<K, V>], at: usize, key: &K) -> Option<&'a mut V> {
+pub(in crate::broad) fn known<'a, K: Eq, V>(
+    entries: &'a mut [EventEntry<K, V>],
+    at: usize,
+    key: &K,
+) -> Option<&'a mut V> {
     match entries.get_mut(at) {
-        Some(Entry(Some((k, value)))) if k == key => Some(value),
+        Some(EventEntry(Some((k, value)))) if k == key => Some(value),
         _ => None,
     }
 }
 
 /// How many entries there are.
 #[inline]
-pub(in crate::broad) fn count<K, V>(entries: &[Entry<K, V>]) -> usize {
+pub(in crate::broad) fn count<K, V>(entries: &[EventEntry<K, V>]) -> usize {
     entries.partition_point(|entry| entry.0.is_some())
 }
 
 /// Puts an entry before those of a part of the array and moves them up by one; the last of the
 /// part, of a free place nothing, is dropped.
-pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [Entry<K, V>], key: K, value: V) {
+pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [EventEntry<K, V>], key: K, value: V) {
     let mut places = part.iter_mut().rev();
     let Some(mut to) = places.next() else { return };
     for from in places {
         *to = *from;
         to = from;
     }
-    *to = Entry(Some((key, value)));
+    *to = EventEntry(Some((key, value)));
 }
 
 /// Drops what `keep` says, which may change values; one pass.
 pub(in crate::broad) fn retain<K: Copy, V: Copy>(
-    entries: &mut [Entry<K, V>],
+    entries: &mut [EventEntry<K, V>],
     mut keep: impl FnMut(&K, &mut V) -> bool,
 ) {
     let mut kept = 0;
@@ -53,7 +57,7 @@ pub(in crate::broad) fn retain<K: Copy, V: Copy>(
         let Some((key, mut value)) = entries.get_mut(i).and_then(|entry| entry.0.take()) else { break };
         if keep(&key, &mut value) {
             if let Some(slot) = entries.get_mut(kept) {
-                *slot = Entry(Some((key, value)));
+                *slot = EventEntry(Some((key, value)));
             }
             kept += 1;
         }
@@ -152,7 +156,7 @@ pub(super) enum Mark {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("on_collision_enter", "body_entered", "beginContact"))]
 pub struct PairEvents<const M: usize, P = Pair> {
-    pub(super) entries: [Entry<P, Mark>; M],
+    pub(super) entries: [EventEntry<P, Mark>; M],
     pub(super) frame: FrameState,
 }
 
@@ -176,7 +180,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [Entry(None); M], frame: FrameState { fed: 0, lost: false, begun: false } }
+        Self { entries: [EventEntry(None); M], frame: FrameState { fed: 0, lost: false, begun: false } }
     }
 
     /// Reports that a pair is there in the current frame.
@@ -201,8 +205,8 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// The fate of each pair in the frame that ended last, in ascending order of pairs; empty once
     /// you have fed the next frame.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
-        let told: &[Entry<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
-        told.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
+        let listed: &[EventEntry<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
+        listed.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
             Mark::New => PairEvent::Begin(pair),
             Mark::Old => PairEvent::End(pair),
             Mark::Both => PairEvent::Stay(pair),
@@ -227,7 +231,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     #[must_use]
     pub fn contains(&self, pair: P) -> bool {
         let at = self.entries.get(place(&self.entries, &pair));
-        matches!(at, Some(Entry(Some((known, mark)))) if *known == pair && self.was_there(*mark))
+        matches!(at, Some(EventEntry(Some((known, mark)))) if *known == pair && self.was_there(*mark))
     }
 
     fn was_there(&self, mark: Mark) -> bool {
@@ -236,7 +240,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
 }
 
 /// Begins the next frame, unless it has begun: drops what ended.
-fn begin<P: Copy>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState) {
+fn begin<P: Copy>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameState) {
     if !frame.begun {
         retain(entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::Old);
         *frame = FrameState { fed: 0, lost: false, begun: true };
@@ -245,7 +249,7 @@ fn begin<P: Copy>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState) {
 
 // Not inlined: without the capacity as a constant, one copy serves all.
 #[inline(never)]
-fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState, pair: &P) {
+fn feed<P: Copy + Ord>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameState, pair: &P) {
     begin(entries, frame);
     frame.fed = frame.fed.saturating_add(1);
     let at = place(entries, pair);
@@ -260,7 +264,9 @@ fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState, p
         // The greatest new pair gives way, or this pair does. Reported pairs never do. So the new
         // pairs that stay are the smallest of all, whatever their order.
         frame.lost = true;
-        let Some(last) = entries.iter().rposition(|entry| matches!(entry, Entry(Some((_, Mark::New))))) else { return };
+        let Some(last) = entries.iter().rposition(|entry| matches!(entry, EventEntry(Some((_, Mark::New))))) else {
+            return;
+        };
         end = last;
     }
     if let Some(part) = entries.get_mut(at..=end) {
@@ -269,7 +275,7 @@ fn feed<P: Copy + Ord>(entries: &mut [Entry<P, Mark>], frame: &mut FrameState, p
 }
 
 fn finish<P: Copy>(
-    entries: &mut [Entry<P, Mark>],
+    entries: &mut [EventEntry<P, Mark>],
     frame: &mut FrameState,
     mut held: impl FnMut(&P) -> bool,
 ) -> Result<(), Truncated> {
@@ -332,7 +338,7 @@ pub enum Ignore {
 #[doc(alias("ignoreCollision", "add_collision_exception_with"))]
 pub struct Exceptions<const M: usize> {
     /// By the handles in ascending order.
-    pub(super) entries: [Entry<Pair, Term>; M],
+    pub(super) entries: [EventEntry<Pair, Term>; M],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -359,7 +365,7 @@ impl<const M: usize> Exceptions<M> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [Entry(None); M] }
+        Self { entries: [EventEntry(None); M] }
     }
 
     /// Ignores a pair from now on, and replaces any earlier rule for it.
@@ -407,7 +413,7 @@ impl<const M: usize> Exceptions<M> {
     }
 }
 
-fn passes(entries: &mut [Entry<Pair, Term>], pair: Pair) -> bool {
+fn passes(entries: &mut [EventEntry<Pair, Term>], pair: Pair) -> bool {
     let pair = sorted(pair.a, pair.b);
     match known(entries, place(entries, &pair), &pair) {
         Some(term) => {
@@ -418,7 +424,7 @@ fn passes(entries: &mut [Entry<Pair, Term>], pair: Pair) -> bool {
     }
 }
 
-fn put(entries: &mut [Entry<Pair, Term>], pair: Pair, term: Term) -> Result<(), BroadError> {
+fn put(entries: &mut [EventEntry<Pair, Term>], pair: Pair, term: Term) -> Result<(), BroadError> {
     let at = place(entries, &pair);
     if let Some(known) = known(entries, at, &pair) {
         *known = term;
@@ -433,7 +439,7 @@ fn put(entries: &mut [Entry<Pair, Term>], pair: Pair, term: Term) -> Result<(), 
 }
 
 fn expire(
-    entries: &mut [Entry<Pair, Term>],
+    entries: &mut [EventEntry<Pair, Term>],
     mut present: impl FnMut(Handle) -> bool,
     mut held: impl FnMut(&Pair) -> bool,
 ) {

@@ -320,7 +320,7 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
         each: impl FnMut(Pair) -> bool,
     ) -> Result<(), PairsError> {
         if (cursor.a, cursor.b) == (0, 0) {
-            self.put_right();
+            self.sort_if_changed();
         }
         let order = self.order.get(..usize::from(self.sorted)).unwrap_or_default();
         let bodies = self.table.bodies();
@@ -332,7 +332,7 @@ impl<const N: usize, T: Tag> SortSweep<N, T> {
     /// Sorts, unless nothing came or moved since: then an enumeration may be under way, and the
     /// order has to stay as it is.
     #[inline]
-    fn put_right(&mut self) {
+    fn sort_if_changed(&mut self) {
         let epoch = self.table.slots().epoch();
         if self.epoch == epoch {
             return;

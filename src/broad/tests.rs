@@ -34,7 +34,7 @@ mod handle {
 
 #[allow(clippy::unwrap_used, reason = "a test")]
 mod ask {
-    use crate::broad::ask::First;
+    use crate::broad::ask::FirstFew;
     use crate::error::Truncated;
     use heapless::Vec;
 
@@ -58,17 +58,17 @@ mod ask {
 
     fn check<const K: usize>(items: &[(u32, u32)]) {
         let mut out = Vec::<_, K>::new();
-        let mut first = First::new(&mut out, |a: &(u32, u32), b| a < b);
+        let mut first = FirstFew::new(&mut out, |a: &(u32, u32), b| a < b);
         for &item in items {
             first.add(item);
         }
-        let told = first.sort();
+        let sorted = first.sort();
         let mut expected = items.iter().copied().collect::<Vec<_, 6>>();
         expected.sort_unstable();
         let kept = expected.len().min(K);
         assert_eq!(out, expected.get(..kept).unwrap());
         let (seen, cut) = (items.len() as u32, items.len() > K);
-        assert_eq!(told, if cut { Err(Truncated { seen, kept: kept as u32 }) } else { Ok(()) });
+        assert_eq!(sorted, if cut { Err(Truncated { seen, kept: kept as u32 }) } else { Ok(()) });
     }
 }
 

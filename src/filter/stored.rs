@@ -1,12 +1,12 @@
 //! Filters: their flags by name.
 
 use super::{Filter, LayerMask};
-use crate::stored::{Form, stored};
+use crate::stored::{StoredForm, stored};
 use core::convert::Infallible;
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
-struct Rules {
+struct FilterFields {
     layers: LayerMask,
     mask: LayerMask,
     group: i16,
@@ -14,7 +14,7 @@ struct Rules {
     sensor: bool,
 }
 
-impl Form<Filter> for Rules {
+impl StoredForm<Filter> for FilterFields {
     type Fault = Infallible;
 
     fn of(filter: &Filter) -> Self {
@@ -28,4 +28,4 @@ impl Form<Filter> for Rules {
     }
 }
 
-stored!(Filter as Rules);
+stored!(Filter as FilterFields);

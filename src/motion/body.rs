@@ -199,7 +199,7 @@ pub(super) mod kernel {
 
     use super::Entry;
     use crate::error::RangeError;
-    use crate::motion::contact::Plane;
+    use crate::motion::touched_plane::Plane;
     use crate::num::{Axis, Raw, Vec2};
     use crate::query::{Core, between};
     use crate::shape::{Aabb, Convex};

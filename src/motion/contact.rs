@@ -4,58 +4,13 @@
 use super::body::{Body, Entry};
 use super::plane::{NEAR, Pipe, across, into, tangential};
 use super::search::hull;
+pub(super) use super::touched_plane::{Bend, Plane};
 use crate::num::{Axis, Raw, isqrt64, umul, usqr};
 use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World, corners_of, ends, normal};
 
-/// How a touched surface turns as the body moves along it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Bend {
-    /// A face.
-    Flat,
-    /// The end of a face that a body is beside. Any side of the body may move along it.
-    End,
-    /// A corner, or an arc from outside: the normal points from its centre to the body.
-    Convex,
-    /// A quarter pipe of the quadrant of these signs. The body's point must stay within `room` of
-    /// the centre.
-    Concave { signs: (i8, i8), room: i32 },
-}
-
-impl Bend {
-    /// A surface that bends more says more about how the body continues.
-    pub(super) fn rank(self) -> u8 {
-        match self {
-            Self::End => 0,
-            Self::Flat => 1,
-            Self::Convex => 2,
-            Self::Concave { .. } => 3,
-        }
-    }
-}
-
-/// A plane that a body may move along: the tangent of a touched surface.
-///
-/// Public in a private module, because a sealed trait's method names it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Plane {
-    /// Out of the solid; not reduced at corners and arcs.
-    pub(super) normal: Axis,
-    pub(super) bend: Bend,
-}
-
 impl Plane {
-    pub(super) const fn flat(normal: Axis) -> Self {
-        Self { normal, bend: Bend::Flat }
-    }
-
-    /// The end of a face, with no known side: it faces a velocity.
-    pub(super) fn against(self, v: Raw) -> Self {
-        let turns = self.bend == Bend::End && into(v, self.normal) > 0;
-        if turns { Self { normal: self.normal.reversed(), ..self } } else { self }
-    }
-
     /// Whether it is the tangent of a pipe, and a way in this direction leads into the pipe. Not at
     /// one of its ends, nor if the way leads past one.
     pub(super) fn is_pipe_ahead(&self, v: Raw) -> bool {

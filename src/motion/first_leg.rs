@@ -81,7 +81,7 @@ impl<S: Law> Mover<S> {
             self.slide::<W, B, false>(world, &mut run, first)?;
         }
         run.end::<W>();
-        moved.told()
+        moved.copied()
     }
 
     /// Whether a hit takes all of a motion and leaves nothing, as for most resting bodies. The

@@ -138,6 +138,7 @@ pub mod response {
 
     mod acceleration;
     mod impact;
+    mod law;
     mod reply;
     #[cfg(feature = "serde")]
     mod stored;
@@ -147,10 +148,11 @@ pub mod response {
 
     pub use acceleration::{Acceleration, Carry};
     pub use impact::{Masses, Split, bounce, exchange, respond, separate, slide, split};
+    pub(in crate::motion) use law::Law;
+    pub use law::{ByFlags, ByHit, Smooth};
     pub(in crate::motion) use reply::{Bounce, ReplyFn};
-    pub(in crate::motion) use surface::law::Law;
-    pub use surface::{Energy, Smooth, Speed, Surface};
-    pub use table::{ByFlags, ByHit, Response, Responses};
+    pub use surface::{Energy, Speed, Surface};
+    pub use table::{Response, Responses};
     pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};
 }
 mod rider;
@@ -168,6 +170,7 @@ mod sweep_round;
 #[cfg(all(test, not(target_os = "none")))]
 mod tests;
 mod touch_convex;
+mod touched_plane;
 mod walk {
     //! Walking: what a character needs beyond
     //! [`Mover::move_and_slide`](super::Mover::move_and_slide).
@@ -177,14 +180,16 @@ mod walk {
     //! downward. In the air it moves as its mover does, up to the first floor.
 
     mod assist;
+    mod frame;
     mod ground;
     mod step;
     mod stride;
     mod walker;
 
+    pub use frame::Walked;
     pub(super) use ground::CONTACT;
     pub use ground::Support;
-    pub use walker::{SlopeSpeed, Walked, Walker};
+    pub use walker::{SlopeSpeed, Walker};
 }
 mod ways;
 

@@ -58,7 +58,7 @@ impl<B: Body> Moved<B> {
 
     /// A copy as a result, part by part: inline, not by the compiler's routine of 700 bytes.
     #[inline(always)]
-    pub(super) fn told(&self) -> Result<Self, super::MoveError> {
+    pub(super) fn copied(&self) -> Result<Self, super::MoveError> {
         let mut result = Ok(Self::freely(self.body, self.velocity, 0));
         if let Ok(to) = &mut result {
             to.remaining = self.remaining;
@@ -237,7 +237,7 @@ impl Hits {
 
     /// Whether the hits already report this feature, or one with the same normal. A face that is
     /// cut is therefore reported once.
-    pub(super) fn tell_of(&self, axis: Axis, feature: &Feature) -> bool {
+    pub(super) fn already_lists(&self, axis: Axis, feature: &Feature) -> bool {
         let is = |hit: &Hit| (hit.cell, hit.index, hit.source) == (feature.cell, feature.index, feature.source);
         let mut all = self.early.iter().chain(&self.late).filter_map(Option::as_ref);
         all.any(|hit| hit.axis == axis || is(hit))

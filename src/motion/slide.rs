@@ -199,7 +199,7 @@ impl<S: Law> Mover<S> {
         };
         let made = run.place(world, d, entry.displacement(d), run.before);
         if !made.is_zero() {
-            if !run.moved.hits.tell_of(entry.normal, feature) {
+            if !run.moved.hits.already_lists(entry.normal, feature) {
                 self.meet(run, 0, entry.normal, feature);
             }
             // Roundings take no time.

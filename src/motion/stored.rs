@@ -11,12 +11,12 @@ use super::{Body, Character};
 use crate::error::RangeError;
 use crate::num::{Axis, Fx, Vec2};
 use crate::shape::Aabb;
-use crate::stored::{Form, Version, stored};
+use crate::stored::{StoredForm, Version, stored};
 use core::convert::Infallible;
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
-struct Rules<S> {
+struct MoverFields<S> {
     version: Version,
     up: Option<Axis>,
     response: Response,
@@ -26,7 +26,7 @@ struct Rules<S> {
     surface: S,
 }
 
-impl<S: Law> Form<Mover<S>> for Rules<S> {
+impl<S: Law> StoredForm<Mover<S>> for MoverFields<S> {
     type Fault = &'static str;
 
     fn of(mover: &Mover<S>) -> Self {
@@ -47,7 +47,7 @@ impl<S: Law> Form<Mover<S>> for Rules<S> {
     }
 }
 
-stored!([S: Law] Mover<S> as Rules<S>; S);
+stored!([S: Law] Mover<S> as MoverFields<S>; S);
 
 #[derive(Serialize, Deserialize)]
 struct Gait {
@@ -57,7 +57,7 @@ struct Gait {
     speed: SlopeSpeed,
 }
 
-impl Form<Walker> for Gait {
+impl StoredForm<Walker> for Gait {
     type Fault = RangeError;
 
     fn of(walker: &Walker) -> Self {
@@ -114,7 +114,7 @@ macro_rules! fields {
     };
 }
 
-impl<B: Copy> Form<Character<B>> for Hero<B> {
+impl<B: Copy> StoredForm<Character<B>> for Hero<B> {
     type Fault = &'static str;
 
     fn of(hero: &Character<B>) -> Self {
@@ -144,7 +144,7 @@ struct Forgotten {
     version: Version,
 }
 
-impl<B, S> Form<Memo<B, S>> for Forgotten {
+impl<B, S> StoredForm<Memo<B, S>> for Forgotten {
     type Fault = Infallible;
 
     fn of(_: &Memo<B, S>) -> Self {

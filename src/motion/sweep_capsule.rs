@@ -133,7 +133,7 @@ impl Kernel for Capsule {
 }
 
 /// The part of a capsule that a moving point meets.
-enum Part {
+enum CapsulePart {
     /// The disc around an end of the core.
     End(Raw),
     /// A flat side that faces this way.
@@ -145,9 +145,9 @@ impl Capsule {
     #[inline(never)]
     fn sweep_corner(&self, d: Raw, p: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
         match self.part_toward(d, p)? {
-            Part::End(end) => sweep_cone(end.sub(p), self.rounding(), d, e_in, e_out),
+            CapsulePart::End(end) => sweep_cone(end.sub(p), self.rounding(), d, e_in, e_out),
             // If the side is parallel to an edge, the face is responsible.
-            Part::Side(normal) => {
+            CapsulePart::Side(normal) => {
                 let leads_out = |e: Axis| normal.dot(e) > 0;
                 let is_met = leads_out(e_in) && leads_out(e_out.reversed());
                 if is_met { sweep_end(self.core_box(), self.rounding(), d, p, normal) } else { None }
@@ -178,7 +178,7 @@ impl Capsule {
     ///        |  flat side        between: the side
     ///        |---------- lo
     /// ```
-    fn part_toward(&self, d: Raw, p: Raw) -> Option<Part> {
+    fn part_toward(&self, d: Raw, p: Raw) -> Option<CapsulePart> {
         let ((lo, hi), r) = (self.core_box(), self.rounding());
         let stands = lo.x == hi.x;
         // (across the core, along it)
@@ -196,15 +196,15 @@ impl Capsule {
             return None;
         };
         if beyond < 0 {
-            Some(Part::End(hi))
+            Some(CapsulePart::End(hi))
         } else if before < 0 {
-            Some(Part::End(lo))
+            Some(CapsulePart::End(lo))
         } else if gap < 0 {
             // The point is inside.
             None
         } else {
             let out = speed.signum().wrapping_neg();
-            Some(Part::Side(if stands { Axis::new(out, 0) } else { Axis::new(0, out) }))
+            Some(CapsulePart::Side(if stands { Axis::new(out, 0) } else { Axis::new(0, out) }))
         }
     }
 }

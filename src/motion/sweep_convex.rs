@@ -8,17 +8,17 @@
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
-use super::contact::Plane;
 use super::sweep_body::keep_first;
 use super::sweep_face::{Face, fraction, over, sweep_face, sweep_slope};
 use super::sweep_round::{comes_along, enters_along, enters_quadrant, entry, leave_pipe, leave_quarter};
-use super::touch_convex::touched;
+use super::touch_convex::{is_within, touched};
+use super::touched_plane::Plane;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2};
 use crate::query::cast::crossing::Crossing;
 use crate::query::cast::moment::{gap_time, ratio};
 use crate::query::cast::side::{along, is_below, meets_beyond, reach};
-use crate::query::{Core, between, meets};
+use crate::query::{Core, between};
 use crate::shape::{Aabb, AnyShape, Circle, Convex, ConvexPolygon, OrientedBox};
 use crate::world::{ConvexBody, Feature, Geometry, World, ends, normal};
 
@@ -132,13 +132,6 @@ fn sides_toward(core: Core<'_>, solid: &[Vec2], each: &mut dyn FnMut(Axis)) {
     if let Some(n) = between(Core { corners: solid, radius: 0 }, core) {
         each(n);
     }
-}
-
-/// Whether it is within a distance of a segment.
-pub(super) fn is_within(core: Core<'_>, a: Raw, b: Raw, reach: i32) -> bool {
-    let (near, line) = (Core { radius: core.radius.wrapping_add(reach), ..core }, [a.vec2(), b.vec2()]);
-    let corners = if a == b { &line[..1] } else { &line };
-    meets::<true>(near, Core { corners, radius: 0 })
 }
 
 /// The corner that an entry is of: on the line through `p` along the normal, of several the first

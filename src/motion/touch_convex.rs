@@ -4,15 +4,21 @@ use super::body::{Body, Entry, kernel::Kernel};
 use super::contact::{self, Bend, Plane};
 use super::plane::{NEAR, way};
 use super::sweep_body::keep_first;
-use super::sweep_convex::is_within;
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Vec2, less128, mul64, sqr64, umul, usqr};
-use crate::query::Core;
 use crate::query::cast::side::along;
+use crate::query::{Core, meets};
 use crate::shape::{Aabb, Compound, Single};
 use crate::world::{Feature, Geometry, World, ends, normal};
 
 const REACH: i32 = NEAR as i32;
+
+/// Whether it is within a distance of a segment.
+pub(super) fn is_within(core: Core<'_>, a: Raw, b: Raw, reach: i32) -> bool {
+    let (near, line) = (Core { radius: core.radius.wrapping_add(reach), ..core }, [a.vec2(), b.vec2()]);
+    let corners = if a == b { &line[..1] } else { &line };
+    meets::<true>(near, Core { corners, radius: 0 })
+}
 
 /// Passes the planes of a feature to `plane` if the body touches it. Returns whether it does.
 pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {

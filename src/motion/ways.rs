@@ -147,7 +147,7 @@ fn part(c: i32, entry: &Entry) -> i32 {
 /// The ways on from a place, the longest first. An empty list writes none of its 520 bytes.
 pub(super) struct Ways {
     list: Vec<Way, { Ways::MAX }, u8>,
-    near: Near,
+    near: NearFeatures,
 }
 
 /// The features within [`FAR`] of a body, read once for all ways.
@@ -155,12 +155,12 @@ pub(super) struct Ways {
 /// Nine in ten bodies that choose a way are near three or four. With more than six, the level is
 /// read again. The last two places take 80 bytes of stack, and a fifth from one frame in a thousand
 /// of boxes. Ten more take nothing.
-struct Near {
+struct NearFeatures {
     features: Vec<Feature, 6, u8>,
     all: bool,
 }
 
-impl Near {
+impl NearFeatures {
     fn push(&mut self, feature: &Feature) {
         self.all &= self.features.extend_from_slice(from_ref(feature)).is_ok();
     }
@@ -197,7 +197,7 @@ impl Ways {
 
     #[inline]
     pub(super) const fn none() -> Self {
-        Self { list: Vec::new(), near: Near { features: Vec::new(), all: true } }
+        Self { list: Vec::new(), near: NearFeatures { features: Vec::new(), all: true } }
     }
 
     /// Reads the ways of a velocity from the body's position, and along the surface that was hit,
@@ -367,7 +367,7 @@ impl Ways {
                 return;
             }
             let Some(entry) = &body.sweep_in::<W>(probe, feature) else { return };
-            if !hits.tell_of(entry.normal, feature) && room_to(probe, entry).is_some() {
+            if !hits.already_lists(entry.normal, feature) && room_to(probe, entry).is_some() {
                 first.add::<B, W>(entry, feature, probe);
             }
         });

@@ -1,7 +1,7 @@
 //! Fractions and ratios: at most one.
 
 use super::{Ratio, Toi};
-use crate::stored::{Form, stored};
+use crate::stored::{StoredForm, stored};
 use serde::{Deserialize, Serialize};
 
 /// In parts of 2^30.
@@ -10,7 +10,7 @@ struct Parts(u32);
 
 const ABOVE_ONE: &str = "it is above one, which is 2^30 parts";
 
-impl Form<Toi> for Parts {
+impl StoredForm<Toi> for Parts {
     type Fault = &'static str;
 
     fn of(toi: &Toi) -> Self {
@@ -22,7 +22,7 @@ impl Form<Toi> for Parts {
     }
 }
 
-impl Form<Ratio> for Parts {
+impl StoredForm<Ratio> for Parts {
     type Fault = &'static str;
 
     fn of(ratio: &Ratio) -> Self {

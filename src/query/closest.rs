@@ -110,13 +110,13 @@ const fn disc_and_segment(c: Raw, r: i32, a: Raw, b: Raw) -> (Raw, Raw) {
 
 /// An end or corner of one shape, and the square of its distance to the other.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct ClosestVertex {
     vertex: Raw,
     square: Square,
     of_first: bool,
 }
 
-impl Candidate {
+impl ClosestVertex {
     const fn to_segment(vertex: Raw, a: Raw, b: Raw, of_first: bool) -> Self {
         let square = match region::<false>(vertex, a, b, false) {
             Region::End(end) => Square { num: (0, end.sub(vertex).len2()), den: 1 },
@@ -142,8 +142,8 @@ fn segment_and_box(a: Raw, b: Raw, lo: Raw, hi: Raw) -> (Raw, Raw) {
     if slo.x == shi.x || slo.y == shi.y {
         return boxes(slo, shi, lo, hi);
     }
-    let corner = |x, y| Candidate::to_segment(Raw { x, y }, a, b, false);
-    let ends = Candidate::to_box(a, lo, hi, true).or(Candidate::to_box(b, lo, hi, true));
+    let corner = |x, y| ClosestVertex::to_segment(Raw { x, y }, a, b, false);
+    let ends = ClosestVertex::to_box(a, lo, hi, true).or(ClosestVertex::to_box(b, lo, hi, true));
     let left = corner(lo.x, lo.y).or(corner(lo.x, hi.y));
     let right = corner(hi.x, lo.y).or(corner(hi.x, hi.y));
     let best = ends.or(left).or(right);
@@ -156,8 +156,8 @@ fn segments(a: Raw, b: Raw, p: Raw, q: Raw) -> (Raw, Raw) {
     if (alo.x == ahi.x || alo.y == ahi.y) && (blo.x == bhi.x || blo.y == bhi.y) {
         return boxes(alo, ahi, blo, bhi);
     }
-    let first = Candidate::to_segment(a, p, q, true).or(Candidate::to_segment(b, p, q, true));
-    let second = Candidate::to_segment(p, a, b, false).or(Candidate::to_segment(q, a, b, false));
+    let first = ClosestVertex::to_segment(a, p, q, true).or(ClosestVertex::to_segment(b, p, q, true));
+    let second = ClosestVertex::to_segment(p, a, b, false).or(ClosestVertex::to_segment(q, a, b, false));
     let best = first.or(second);
     let v = best.vertex;
     if best.of_first { (v, on_segment(v, p, q)) } else { (on_segment(v, a, b), v) }

@@ -26,7 +26,7 @@ fn sides(v: Vec2) -> u8 {
 }
 
 /// The sides to which less than half of a push was made. Along a slope, a body makes most of it.
-pub(super) fn in_vain(push: Vec2, made: Vec2) -> u8 {
+pub(super) fn blocked_sides(push: Vec2, made: Vec2) -> u8 {
     sides(push) & !sides(made + made - push + sign(push))
 }
 
@@ -38,11 +38,11 @@ fn sign(push: Vec2) -> Vec2 {
 
 /// The sides that stay blocked: those to which a body was not pushed, and did not go. Otherwise it
 /// would be free in every other step, and what lies on it would jitter.
-pub(super) fn still(blocked: u8, push: Vec2, made: Vec2) -> u8 {
+pub(super) fn still_blocked(blocked: u8, push: Vec2, made: Vec2) -> u8 {
     blocked & !sides(push) & !sides(made)
 }
 
 /// Whether a push leads to a blocked side.
-pub(super) fn holds(blocked: u8, push: Vec2) -> bool {
+pub(super) fn leads_to_blocked(blocked: u8, push: Vec2) -> bool {
     sides(push) & blocked != 0
 }

@@ -2,7 +2,7 @@
 //! each.
 
 use super::Shape;
-use super::blocked::{in_vain, still};
+use super::blocked::{blocked_sides, still_blocked};
 use super::kernel::BodyShape;
 use super::way::{BodyWay, Drift};
 use crate::broad::{Handle, Keyed};
@@ -250,8 +250,8 @@ impl<S: BodyShape> Slot<S> {
     pub(super) fn block(&mut self, by_level: u8, made: Vec2) {
         let Tally { low, high, .. } = self.tally;
         let (pushed, one_sided) = (low + high, low == Vec2::ZERO || high == Vec2::ZERO);
-        let by_others = if one_sided { 0 } else { in_vain(low, pushed) | in_vain(high, pushed) };
-        self.blocked = still(still(self.blocked, low, made), high, made) | by_level | by_others;
+        let by_others = if one_sided { 0 } else { blocked_sides(low, pushed) | blocked_sides(high, pushed) };
+        self.blocked = still_blocked(still_blocked(self.blocked, low, made), high, made) | by_level | by_others;
     }
 
     /// Whether it lay on other bodies in the last step.

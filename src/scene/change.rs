@@ -3,7 +3,7 @@
 use super::body::{Mode, Slot, Tally};
 use super::kernel::BodyShape;
 use super::lean::NEAR;
-use super::memory::{Place, forget, keep};
+use super::memory::{Remembered, forget, keep};
 use super::met::around;
 use super::way::size;
 use super::{Scene, SceneBody, SceneError};
@@ -110,7 +110,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.near.move_to(handle, &body.shape.aabb()).map_err(|e| SceneError::of(handle, e))?;
         }
         if body.mass.is_some() != before.mass.is_some() {
-            self.strike(handle);
+            self.remove_from_awake(handle);
             *self.slot_mut(handle)? = Slot::of(&body, handle);
         }
         let slot = self.slot_mut(handle)?;
@@ -121,8 +121,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         // else would wake the bodies that it released.
         let what = |body: &SceneBody<S>| (body.shape, body.mass, body.filter);
         if body.mass.is_none() || what(&body) != what(&before) {
-            self.stir(&before);
-            self.stir(&body);
+            self.wake_neighbours(&before);
+            self.wake_neighbours(&body);
         }
         self.wake(handle)
     }
@@ -133,7 +133,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// [`Stale`](crate::broad::BroadError::Stale).
     pub fn wake(&mut self, handle: Handle) -> Result<(), SceneError> {
         self.slot(handle)?;
-        self.rouse(handle, true);
+        self.wake_body(handle, true);
         Ok(())
     }
 
@@ -165,7 +165,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub fn wake_region(&mut self, region: &Aabb) {
         // Ways that led there may be of bodies that are elsewhere now.
         if let Some(ways) = self.memory.get_mut(N..) {
-            ways.fill(Place::Empty);
+            ways.fill(Remembered::Empty);
         }
         self.wake_near(region);
     }
@@ -174,15 +174,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let (from, slots) = (self.count, &mut self.slots);
         let (awake, count, memory) = (&mut self.awake, &mut self.count, &mut self.memory);
         self.near.in_region(region, |handle| {
-            rouse(slots, awake, count, handle);
+            add_to_awake(slots, awake, count, handle);
             unsettle(slots, memory, handle);
         });
-        self.tell_woken(from);
+        self.mark_woken(from);
     }
 
     /// Wakes the bodies that a body touches, or could. What it holds may rest a raw unit above it.
     /// A fixed body with a velocity throws what lies on it up to that far in each step.
-    pub(super) fn stir(&mut self, body: &SceneBody<S>) {
+    pub(super) fn wake_neighbours(&mut self, body: &SceneBody<S>) {
         let thrown = if body.mass.is_none() { size(body.velocity) } else { 0 };
         if !body.filter.sensor() {
             self.wake_near(&around(&body.shape.aabb(), thrown.saturating_add(NEAR.to_bits() as u32)));
@@ -190,7 +190,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Removes a body from the list of those awake.
-    pub(super) fn strike(&mut self, handle: Handle) {
+    pub(super) fn remove_from_awake(&mut self, handle: Handle) {
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         if let (Some(last), Some(at)) = (awake.last().copied(), awake.iter().position(|&other| other == handle)) {
             awake.iter_mut().skip(at).take(1).for_each(|place| *place = last);
@@ -198,30 +198,30 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
     }
 
-    pub(super) fn rouse(&mut self, handle: Handle, known: bool) {
+    pub(super) fn wake_body(&mut self, handle: Handle, known: bool) {
         let from = self.count;
-        rouse(&mut self.slots, &mut self.awake, &mut self.count, handle);
+        add_to_awake(&mut self.slots, &mut self.awake, &mut self.count, handle);
         unsettle(&mut self.slots, &mut self.memory, handle);
         if let Some(ways) = self.memory.get_mut(N..) {
             forget(ways, handle.slot());
         }
         if known {
-            self.tell_woken(from);
+            self.mark_woken(from);
         }
     }
 
     /// Marks the bodies woken since there were `from` awake in the broad phase.
-    pub(super) fn tell_woken(&mut self, from: usize) {
+    pub(super) fn mark_woken(&mut self, from: usize) {
         for handle in self.awake.iter().take(self.count).skip(from) {
             let Some(slot) = self.slots.get(handle.slot()) else { continue };
-            let told = self.near.set_tag(*handle, slot.body.tag(false));
-            debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
+            let marked = self.near.set_tag(*handle, slot.body.tag(false));
+            debug_assert!(marked.is_ok(), "a body of the scene is in its broad phase");
         }
     }
 }
 
 /// A change by the game is no rest.
-fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Place], handle: Handle) {
+fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Remembered], handle: Handle) {
     keep(memory, handle.slot(), None);
     if let Some(slot) = slots.get_mut(handle.slot()) {
         slot.quiet = 0;
@@ -230,7 +230,7 @@ fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Place], handle: Handle) {
 
 /// Adds a sleeping body to the list of those awake. Its quiet steps stay: a body that only touches
 /// it does not keep a heap from falling asleep.
-pub(super) fn rouse<S>(slots: &mut [Slot<S>], awake: &mut [Handle], count: &mut usize, handle: Handle) {
+pub(super) fn add_to_awake<S>(slots: &mut [Slot<S>], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };
     let Some(place) = awake.get_mut(*count) else { return };
     (*place, slot.mode) = (handle, Mode::Woken);

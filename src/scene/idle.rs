@@ -5,11 +5,12 @@
 //! those of the last one.
 //!
 //! This holds as long as nobody else comes near. A body that is not idle goes no farther in a step
-//! than [`disturb`](Scene::disturb) allows for. All within that make their steps in full.
+//! than [`stop_idling_in_reach`](Scene::stop_idling_in_reach) allows for. All within that make their
+//! steps in full.
 
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
-use super::memory::{Idle, Place, Rest, rest, rest_mut};
+use super::memory::{Idle, Remembered, Rest, rest, rest_mut};
 use super::met::{around, reach};
 use super::pairs::root;
 use super::way::size;
@@ -40,22 +41,22 @@ impl Rest {
 }
 
 /// Whether the body in a slot makes no step.
-pub(super) fn is_idle(memory: &[Place], at: usize) -> bool {
+pub(super) fn is_idle(memory: &[Remembered], at: usize) -> bool {
     idle(memory, at).is_some()
 }
 
 /// Has the body in a slot make its next step in full. Returns whether it was idle.
-pub(super) fn stir(memory: &mut [Place], at: usize) -> bool {
+pub(super) fn stop_idling(memory: &mut [Remembered], at: usize) -> bool {
     let Some(rest) = rest_mut(memory, at) else { return false };
     core::mem::replace(&mut rest.idle, Idle::No) != Idle::No
 }
 
-pub(super) fn idle(memory: &[Place], at: usize) -> Option<&Rest> {
+pub(super) fn idle(memory: &[Remembered], at: usize) -> Option<&Rest> {
     rest(memory, at).filter(|rest| rest.idle != Idle::No)
 }
 
 /// Whether nothing changes between two bodies.
-pub(super) fn are_idle<S>(memory: &[Place], slots: &[Slot<S>], pair: Pair) -> bool {
+pub(super) fn are_idle<S>(memory: &[Remembered], slots: &[Slot<S>], pair: Pair) -> bool {
     let fixed = |at: Handle| slots.get(at.slot()).is_some_and(|slot| slot.mode == Mode::Fixed);
     let [a, b] = [pair.a, pair.b].map(|at| is_idle(memory, at.slot()));
     (a && (b || fixed(pair.b))) || (b && fixed(pair.a))
@@ -63,7 +64,7 @@ pub(super) fn are_idle<S>(memory: &[Place], slots: &[Slot<S>], pair: Pair) -> bo
 
 /// How far from its box a body may come in this step: [`reach`], as it was when an idle body made
 /// its last step.
-pub(super) fn reach_of<S: BodyShape>(memory: &[Place], slot: &Slot<S>, at: usize) -> u32 {
+pub(super) fn reach_of<S: BodyShape>(memory: &[Remembered], slot: &Slot<S>, at: usize) -> u32 {
     idle(memory, at)
         .map_or_else(|| reach(slot), |rest| size(rest.made.causes.velocity).saturating_add(size(rest.made.causes.push)))
 }
@@ -76,7 +77,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// sum of four times the velocity and of the overlap, over all that it may meet, directly or
     /// not. These are a company: two join if they are no farther apart than both may come.
     #[inline(never)]
-    pub(super) fn disturb(&mut self, gravity: Vec2) {
+    pub(super) fn stop_idling_in_reach(&mut self, gravity: Vec2) {
         let Self { near, slots, awake, count, memory, .. } = self;
         let awake = awake.get(..*count).unwrap_or_default();
         // A body that sleeps may wake in this step, and move.
@@ -124,7 +125,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                         if !within.touches(&box_) {
                             return;
                         }
-                        stir(memory, other.slot());
+                        stop_idling(memory, other.slot());
                         it.goes_alone(other, more);
                     } else {
                         let theirs = usize::from(root(slots, other.slot() as u16));
@@ -151,13 +152,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub(super) fn find_idle(&mut self, gravity: Vec2) {
         let Self { slots, awake, count, memory, .. } = self;
         let awake = awake.get(..*count).unwrap_or_default();
-        let busy = |memory: &[Place; M], at: usize| !is_idle(memory, at);
+        let busy = |memory: &[Remembered; M], at: usize| !is_idle(memory, at);
         for handle in awake.iter().filter(|handle| busy(memory, handle.slot())) {
             if let Some(slot) = slots.get_mut(handle.slot()) {
                 slot.tally.hits = 0;
             }
         }
-        let repeats = |slots: &[Slot<S>], memory: &[Place; M], at: usize| {
+        let repeats = |slots: &[Slot<S>], memory: &[Remembered; M], at: usize| {
             slots.get(at).zip(rest(memory, at)).map(|(slot, rest)| rest.repeats(slot, gravity))
         };
         for handle in awake.iter().filter(|handle| busy(memory, handle.slot())) {

@@ -35,10 +35,10 @@ use core::fmt::Debug;
 /// ```
 ///
 /// Sealed: its kernels are part of the exactness argument.
-pub trait BodyShape: Kernel {}
+pub trait BodyShape: BodyShapeKernel {}
 
 /// The part of [`BodyShape`] that only this crate calls.
-pub trait Kernel:
+pub trait BodyShapeKernel:
     Copy + Debug + Eq + From<Aabb> + From<Circle> + Contacts<Self> + Overlaps<Self> + Touches<Self>
 {
     /// A point, for slots without a body.

@@ -3,14 +3,14 @@
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
 use super::reply::Replies;
-use super::way::{End, Pace, later, size};
+use super::way::{Pace, WayEnd, later, size};
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2};
 use crate::query::Touches;
 use crate::shape::Aabb;
 
 /// Where and when two bodies run into each other.
-pub(super) struct Met {
+pub(super) struct Encounter {
     pub(super) pair: Pair,
     pub(super) time: Toi,
     /// From `a` to `b`.
@@ -21,7 +21,7 @@ pub(super) struct Met {
     pub(super) begins: bool,
 }
 
-impl Met {
+impl Encounter {
     /// In the order of the pair, so it does not matter which body asks. The ways start at the time
     /// from which both bodies are on them.
     #[inline(never)]
@@ -66,7 +66,7 @@ impl Met {
 /// The first end of a way among those that were compared. At the same time, the level goes before
 /// bodies, then the body with the smaller key, then the one in the smaller slot.
 pub(super) struct FirstEnd {
-    pub(super) end: (Toi, End),
+    pub(super) end: (Toi, WayEnd),
     /// The key and the slot of the body, if one ends it.
     rank: (u32, usize),
 }
@@ -74,14 +74,14 @@ pub(super) struct FirstEnd {
 impl FirstEnd {
     /// The end at the level, if there is one.
     pub(super) fn of_level(hit: Option<Toi>) -> Self {
-        Self { end: hit.map_or((Toi::ONE, End::Step), |time| (time, End::Level)), rank: (0, 0) }
+        Self { end: hit.map_or((Toi::ONE, WayEnd::Step), |time| (time, WayEnd::Level)), rank: (0, 0) }
     }
 
     /// An end that was found before.
-    pub(super) fn known<S>(slots: &[Slot<S>], end: (Toi, End)) -> Self {
+    pub(super) fn known<S>(slots: &[Slot<S>], end: (Toi, WayEnd)) -> Self {
         let rank = match end.1 {
-            End::Body(at) => (slots.get(usize::from(at)).map_or(0, |slot| slot.body.key), at.into()),
-            End::Level | End::Step => (0, 0),
+            WayEnd::Body(at) => (slots.get(usize::from(at)).map_or(0, |slot| slot.body.key), at.into()),
+            WayEnd::Level | WayEnd::Step => (0, 0),
         };
         Self { end, rank }
     }
@@ -93,16 +93,16 @@ impl FirstEnd {
         other: (Handle, &Slot<S>),
         replies: &mut impl Replies,
     ) {
-        let Some(met) = Met::of(one, other) else { return };
+        let Some(met) = Encounter::of(one, other) else { return };
         let (time, end) = self.end;
         let rank = (other.1.body.key, other.0.slot());
         let before = match end {
-            End::Step => met.time <= time,
-            End::Level => met.time < time,
-            End::Body(_) => (met.time, rank) < (time, self.rank),
+            WayEnd::Step => met.time <= time,
+            WayEnd::Level => met.time < time,
+            WayEnd::Body(_) => (met.time, rank) < (time, self.rank),
         };
         if before && replies.to(met.pair).acts() {
-            (self.end, self.rank) = ((met.time, End::Body(other.0.slot() as u16)), rank);
+            (self.end, self.rank) = ((met.time, WayEnd::Body(other.0.slot() as u16)), rank);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How the contacts at a step's start affect two bodies: which pushes the other, which lies on the
 //! other, and which rest together.
 
-use super::blocked::holds;
+use super::blocked::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, toward};
@@ -32,7 +32,7 @@ pub(super) fn both<S>(slots: &[Slot<S>], pair: Pair) -> Option<(&Slot<S>, &Slot<
 }
 
 /// Collects the effects of a contact on two bodies. Returns whether they approach.
-pub(super) fn tally<S: BodyShape>(
+pub(super) fn collect_effects<S: BodyShape>(
     slots: &mut [Slot<S>],
     pair: Pair,
     contact: &Contact,
@@ -66,7 +66,7 @@ fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), gravity: Vec2)
     if size(by_b - by_a) <= size(gravity).saturating_mul(3) {
         return (by_a, by_b);
     }
-    match (holds(a, by_a), holds(b, by_b)) {
+    match (leads_to_blocked(a, by_a), leads_to_blocked(b, by_b)) {
         (true, false) if meeting.moves_b => (by_a, of(Masses::A_FIXED).1),
         (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, by_b),
         _ => (by_a, by_b),
@@ -79,7 +79,12 @@ fn half(v: Vec2) -> Vec2 {
 }
 
 /// How two bodies that run into each other change their velocities.
-pub(super) fn kick<S: BodyShape, R: Replies>(slots: &mut [Slot<S>], pair: Pair, gravity: Vec2, replies: &mut R) {
+pub(super) fn collect_kicks<S: BodyShape, R: Replies>(
+    slots: &mut [Slot<S>],
+    pair: Pair,
+    gravity: Vec2,
+    replies: &mut R,
+) {
     let Some((a, b)) = both(slots, pair) else { return };
     if senses(a, b) {
         return;
@@ -110,7 +115,12 @@ pub(super) fn kick<S: BodyShape, R: Replies>(slots: &mut [Slot<S>], pair: Pair, 
 
 /// Handles two touching bodies, one of which may lie on the other. Returns whether the pair is left
 /// until those below have made their steps.
-pub(super) fn lay<S: BodyShape>(slots: &mut [Slot<S>], pair: Pair, contact: Option<&Contact>, gravity: Vec2) -> bool {
+pub(super) fn note_who_lies<S: BodyShape>(
+    slots: &mut [Slot<S>],
+    pair: Pair,
+    contact: Option<&Contact>,
+    gravity: Vec2,
+) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(top) = upper(a, b, contact, gravity) else { return false };
     let carried = contact.is_some() && is_carried(a, b, top);

@@ -8,10 +8,10 @@
 use super::body::{ALOFT, FLIES, Mode, Slot};
 use super::kernel::BodyShape;
 use super::meeting::{Meeting, Top, carried, toward};
-use super::memory::{Place, keep, rest_mut};
+use super::memory::{Remembered, keep, rest_mut};
 use super::met::{around, may_meet, pair, senses};
 use super::reply::{Replies, Reply};
-use super::trip::{Trip, hold};
+use super::trip::{Trip, hold_in_place};
 use super::view::View;
 use super::way::{Drift, Pace, size};
 use super::{Scene, SceneEvent, SceneFault, Stepped};
@@ -88,7 +88,7 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
 struct Pile<'a, B, V, S, const M: usize> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
-    memory: &'a mut [Place; M],
+    memory: &'a mut [Remembered; M],
     trip: &'a Trip<'a, V>,
     /// How far a fixed body may be from where the broad phase has it.
     margin: u32,
@@ -102,7 +102,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let known = slot.body.shape;
         let moved = slot.way.pace == Pace::Moved;
         let by = if moved { slot.way.rate } else { Vec2::ZERO };
-        let (start, quiet) = (known.position() - by, if moved { slot.before(by) } else { slot.rest() });
+        let (start, quiet) =
+            (known.position() - by, if moved { slot.quiet_before(by) } else { slot.quiet_and_drift() });
         if !moved {
             self.trip.make(slot, handle, self.memory, self.near, self.stepped, each);
             if slot.way.pace != Pace::Lies {
@@ -125,21 +126,22 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let Some(slot) = self.slots.get(handle.slot()) else { return false };
         let mut slot = *slot;
         (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
-        if let Err(fault) = self.rest(handle, &mut slot, before, replies) {
+        if let Err(fault) = self.leave_carriers(handle, &mut slot, before, replies) {
             slot.body.shape = known;
             keep(self.memory, handle.slot(), None);
-            hold(&mut slot, handle, fault, self.stepped, each);
+            hold_in_place(&mut slot, handle, fault, self.stepped, each);
         }
         (slot.way.pace, slot.way.turns) = (Pace::Slow, 1);
         if let Some(place) = self.slots.get_mut(handle.slot()) {
             *place = slot;
         }
-        size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2) && self.lift(handle, &slot, replies)
+        size(slot.tally.push()) > size(self.trip.gravity).saturating_mul(2)
+            && self.mark_pushed_on_top(handle, &slot, replies)
     }
 
     /// Finds the bodies on top that have made their steps and lay on nobody, if a body was pushed
     /// into them. Returns whether there are any.
-    fn lift(&mut self, handle: Handle, lower: &Slot<S>, replies: &mut impl Replies) -> bool {
+    fn mark_pushed_on_top(&mut self, handle: Handle, lower: &Slot<S>, replies: &mut impl Replies) -> bool {
         let Self { near, slots, trip, .. } = self;
         let mut any = false;
         near.in_region(&lower.body.shape.aabb(), |other| {
@@ -155,7 +157,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
 
     /// Brings a body that has made its way out of its carriers.
     #[inline(never)]
-    fn rest(
+    fn leave_carriers(
         &mut self,
         handle: Handle,
         slot: &mut Slot<S>,
@@ -249,12 +251,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
 
 impl<S: BodyShape> Slot<S> {
     /// For how long it has been quiet, and how far it has come since.
-    const fn rest(&self) -> (u8, Drift) {
+    const fn quiet_and_drift(&self) -> (u8, Drift) {
         (self.quiet, self.tally.drift)
     }
 
     /// The same before its way in this step. Its rest ended if it has none now.
-    fn before(&self, by: Vec2) -> (u8, Drift) {
+    fn quiet_before(&self, by: Vec2) -> (u8, Drift) {
         let counted = u8::from(self.tally.under != FLIES);
         if self.quiet == 0 { (0, Drift::NONE) } else { (self.quiet - counted, self.tally.drift.minus(by)) }
     }

@@ -82,9 +82,9 @@ impl Replies for Unasked {
 }
 
 /// A call that answers.
-pub(super) struct Asked<F>(pub(super) F);
+pub(super) struct ByCall<F>(pub(super) F);
 
-impl<A: Answer, F: FnMut(Pair) -> A> Replies for Asked<F> {
+impl<A: Answer, F: FnMut(Pair) -> A> Replies for ByCall<F> {
     const ASKS: bool = true;
     const CROSSES: bool = A::CROSSES;
     fn to(&mut self, pair: Pair) -> Reply {

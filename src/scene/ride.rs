@@ -3,7 +3,7 @@
 use super::body::ALOFT;
 use super::kernel::{BodyShape, Visit};
 use super::meeting::toward;
-use super::memory::Place;
+use super::memory::Remembered;
 use super::met::{around, may_meet, senses};
 use super::reply::Unasked;
 use super::view::{Sliding, sliding};
@@ -186,7 +186,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         if moves {
             self.wake_on(from, gravity);
-            self.memory.fill(Place::Empty);
+            self.memory.fill(Remembered::Empty);
         }
         moves
     }
@@ -195,7 +195,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     fn wake_on(&mut self, from: usize, gravity: Vec2) {
         let awake = self.count;
         self.wake_along(from, gravity, &mut Unasked);
-        self.tell_woken(awake);
+        self.mark_woken(awake);
     }
 
     /// The bodies with this many others below them go with one that is carried, if they lie on one.
@@ -244,7 +244,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             }
             let to = slot.body.shape.shifted(if does == CARRIED { way } else { push });
             // From where the solids have pushed it, it is in none of them.
-            let along = if does == TAKEN { to.visit(Along(mover, world, way - push)) } else { Ok(to) };
+            let along = if does == TAKEN { to.visit(MoveInLevel(mover, world, way - push)) } else { Ok(to) };
             let (to, fault) = along.map_or_else(|fault| (to, Some(fault)), |to| (to, None));
             let put = self.near.move_to(handle, &to.aabb()).map(|()| slot.body.shape = to);
             if let Some(fault) = fault.or(put.err().map(SceneFault::from)) {
@@ -267,9 +267,9 @@ impl<S, W: World, T: MovingSolid> Visit<S> for Ask<'_, W, T> {
 }
 
 /// A motion as far as the level and the solids allow.
-struct Along<'a, W>(&'a Sliding, &'a W, Vec2);
+struct MoveInLevel<'a, W>(&'a Sliding, &'a W, Vec2);
 
-impl<S, W: World> Visit<S> for Along<'_, W> {
+impl<S, W: World> Visit<S> for MoveInLevel<'_, W> {
     type Out = Result<S, SceneFault>;
     fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
         let Self(mover, world, by) = self;

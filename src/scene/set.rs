@@ -2,7 +2,7 @@
 
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
-use super::memory::Place;
+use super::memory::Remembered;
 use super::{SceneBody, SceneError, Shape};
 use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
@@ -108,7 +108,7 @@ pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
     pub(super) awake: [Handle; N],
     pub(crate) count: usize,
     /// How the bodies in the first slots lie, and beyond N the ways of any.
-    pub(super) memory: [Place; M],
+    pub(super) memory: [Remembered; M],
     pub(crate) sleep: SleepDifference,
 }
 
@@ -183,7 +183,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             slots: [Slot::FREE; N],
             awake: [Handle::new(0, 0); N],
             count: 0,
-            memory: [Place::Empty; M],
+            memory: [Remembered::Empty; M],
             sleep: SleepDifference::of(sleep),
         }
     }
@@ -234,8 +234,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             return Err(SceneError::call(BroadError::Full { capacity: N as u16 }));
         };
         *slot = Slot::of(body, handle);
-        self.rouse(handle, false);
-        self.stir(body);
+        self.wake_body(handle, false);
+        self.wake_neighbours(body);
         Ok(handle)
     }
 
@@ -246,11 +246,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub fn remove(&mut self, handle: Handle) -> Result<SceneBody<S>, SceneError> {
         let body = *self.body(handle)?;
         self.leave(handle).map_err(|e| SceneError::of(handle, e))?;
-        self.strike(handle);
+        self.remove_from_awake(handle);
         if let Some(slot) = self.slots.get_mut(handle.slot()) {
             *slot = Slot::FREE;
         }
-        self.stir(&body);
+        self.wake_neighbours(&body);
         Ok(body)
     }
 

@@ -1,6 +1,6 @@
 //! The shapes of a scene's bodies.
 
-use super::kernel::{BodyShape, Kernel, Visit};
+use super::kernel::{BodyShape, BodyShapeKernel, Visit};
 use crate::error::RangeError;
 use crate::motion::Body;
 use crate::num::{Raw, Vec2};
@@ -111,16 +111,16 @@ impl From<Shape> for WithCapsules {
 }
 
 /// The check of one shape, where it is not that of its constructor.
-trait Single {
+trait CheckedShape {
     fn check(&self) -> Result<(), RangeError> {
         Ok(())
     }
 }
 
-impl Single for Aabb {}
-impl Single for Circle {}
+impl CheckedShape for Aabb {}
+impl CheckedShape for Circle {}
 
-impl Single for Capsule {
+impl CheckedShape for Capsule {
     fn check(&self) -> Result<(), RangeError> {
         takes(self)
     }
@@ -185,7 +185,7 @@ macro_rules! shapes {
             }
         }
 
-        impl Kernel for $name {
+        impl BodyShapeKernel for $name {
             const POINT: Self = Self::Aabb(Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO));
 
             #[inline]
@@ -219,7 +219,7 @@ macro_rules! shapes {
             #[inline]
             fn check(&self) -> Result<(), RangeError> {
                 match self {
-                    $(Self::$shape(it) => Single::check(it),)+
+                    $(Self::$shape(it) => CheckedShape::check(it),)+
                 }
             }
 
@@ -284,7 +284,7 @@ shapes!(
 /// Bodies of every convex shape. A scene refuses segments, and other bodies without area.
 impl<const N: usize> BodyShape for AnyShape<N> {}
 
-impl<const N: usize> Kernel for AnyShape<N> {
+impl<const N: usize> BodyShapeKernel for AnyShape<N> {
     const POINT: Self = Self::Aabb(Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO));
 
     fn aabb(&self) -> Aabb {

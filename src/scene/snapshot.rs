@@ -2,7 +2,7 @@
 
 use super::body::{Mode, Slot, Tally};
 use super::kernel::BodyShape;
-use super::memory::Place;
+use super::memory::Remembered;
 use super::set::SleepDifference;
 use super::way::{BodyWay, Drift};
 use super::{Scene, SceneBody, Shape, Sleep};
@@ -166,7 +166,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize, 
     pub fn restore(&mut self, snapshot: &Snapshot<B, N, S>) {
         let Snapshot { near, kept, awake, count, sleep } = snapshot;
         (self.near, self.count, self.sleep) = (*near, usize::from(*count), *sleep);
-        self.memory = [Place::Empty; M];
+        self.memory = [Remembered::Empty; M];
         let bodies = near.table();
         for (at, (slot, kept)) in self.slots.iter_mut().zip(kept).enumerate() {
             *slot = kept.slot(bodies.handle(at));

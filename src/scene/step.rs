@@ -1,17 +1,17 @@
 //! One step of a scene.
 
 use super::body::{FLIES, Mode, NOBODY, Slot, Tally};
-use super::change::rouse;
-use super::idle::{are_idle, idle, is_idle, repeat, stir};
+use super::change::add_to_awake;
+use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
 use super::kernel::BodyShape;
 use super::lean::{NEAR, join_leaning, leans};
-use super::memory::{Place, keep};
+use super::memory::{Remembered, keep};
 use super::met::{around, may_meet, pair, senses};
-use super::pairs::{both, each_pair, join, kick, lay, root, tally};
-use super::reply::{Answer, Asked, Replies, Reply, Unasked};
+use super::pairs::{both, collect_effects, collect_kicks, each_pair, join, note_who_lies, root};
+use super::reply::{Answer, ByCall, Replies, Reply, Unasked};
 use super::set::Sleep;
 use super::trip::Trip;
-use super::view::{Along, Common, Each, View};
+use super::view::{Common, EachLevel, EachLevelTraced, View};
 use super::way::{BodyWay, Pace};
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
@@ -113,7 +113,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         replies: impl FnMut(Pair) -> A,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.run(&Common(level), gravity, &mut Asked(replies), &mut each)
+        self.run(&Common(level), gravity, &mut ByCall(replies), &mut each)
     }
 
     /// Like [`step_with`](Self::step_with), with a level for each body: ghosts that pass curtains,
@@ -153,7 +153,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         replies: impl FnMut(Pair) -> A,
         mut each: impl FnMut(SceneEvent<'_>),
     ) -> Result<Stepped, SceneError> {
-        self.run(&Each::by(level_of), gravity, &mut Asked(replies), &mut each)
+        self.run(&EachLevel::by(level_of), gravity, &mut ByCall(replies), &mut each)
     }
 
     /// Like [`step_in`](Self::step_in), and reports each way that a body makes: for all that it
@@ -204,9 +204,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         mut each: impl FnMut(SceneEvent<'_>),
         passed: impl FnMut(Handle, &S, &Trail),
     ) -> Result<Stepped, SceneError> {
-        // What repeats is not told.
-        self.memory.fill(Place::Empty);
-        self.run(&Along::by(level_of, passed), gravity, &mut Asked(replies), &mut each)
+        // What repeats is not reported.
+        self.memory.fill(Remembered::Empty);
+        self.run(&EachLevelTraced::by(level_of, passed), gravity, &mut ByCall(replies), &mut each)
     }
 
     fn run(
@@ -223,7 +223,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         let awake = self.count;
         if M > 0 {
-            self.disturb(gravity);
+            self.stop_idling_in_reach(gravity);
         }
         let first = begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, replies, each);
@@ -231,7 +231,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         if self.count > first {
             self.wake_along(first, gravity, replies);
             stepped.woken = (self.count - awake) as u16;
-            self.tell_woken(awake);
+            self.mark_woken(awake);
         }
         let trip = Trip::new(view, gravity, self.sleep(), N);
         if self.travel(&trip, &mut stepped, replies, each) {
@@ -266,12 +266,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 return;
             }
             for at in [pair.a, pair.b] {
-                rouse(slots, room, &mut woken, at);
+                add_to_awake(slots, room, &mut woken, at);
             }
             join(slots, pair);
-            let carried = lay(slots, pair, contact.as_ref(), gravity);
+            let carried = note_who_lies(slots, pair, contact.as_ref(), gravity);
             if let Some(contact) = contact {
-                hits |= tally(slots, pair, &contact, gravity, (carried, reply));
+                hits |= collect_effects(slots, pair, &contact, gravity, (carried, reply));
             }
         });
         if hits {
@@ -280,7 +280,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 if are_idle(memory, slots, pair) {
                     return;
                 }
-                kick(slots, pair, gravity, replies);
+                collect_kicks(slots, pair, gravity, replies);
             });
         }
         self.count += woken;
@@ -308,7 +308,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 }
                 let pair = pair((handle, one), (other, two));
                 if replies.to(pair).acts() {
-                    rouse(slots, awake, count, other);
+                    add_to_awake(slots, awake, count, other);
                     join(slots, pair);
                 }
             });
@@ -335,7 +335,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             piled |= slot.way.pace == Pace::Lies;
         }
         if fast {
-            self.let_go(trip, replies);
+            self.release_unreachable(trip, replies);
         }
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
@@ -382,7 +382,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         for handle in &*awake {
             let root = usize::from(root(slots, handle.slot() as u16));
             let sleeps = slots.get(root).is_some_and(|slot| slot.tally.hits >= u16::from(steps));
-            if sleeps && !trip.holds(slots, &self.near, *handle) {
+            if sleeps && !trip.is_held_up(slots, &self.near, *handle) {
                 if let Some(slot) = slots.get_mut(root) {
                     slot.tally.hits = 0;
                 }
@@ -401,9 +401,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
                 (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, BodyWay::REST);
                 slot.ground = NOBODY;
-                stir(&mut self.memory, handle.slot());
-                let told = self.near.set_tag(handle, slot.body.tag(true));
-                debug_assert!(told.is_ok(), "a body of the scene is in its broad phase");
+                stop_idling(&mut self.memory, handle.slot());
+                let marked = self.near.set_tag(handle, slot.body.tag(true));
+                debug_assert!(marked.is_ok(), "a body of the scene is in its broad phase");
             }
         }
         stepped.slept = (self.count - left) as u16;
@@ -413,7 +413,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 
 /// Begins a step of all bodies that make one. Returns from where on the list has bodies that were
 /// woken since the last step began.
-fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Place], awake: &[Handle], gravity: Vec2) -> usize {
+fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Remembered], awake: &[Handle], gravity: Vec2) -> usize {
     let mut first = awake.len();
     for (at, handle) in awake.iter().enumerate().filter(|(_, handle)| !is_idle(memory, handle.slot())) {
         let Some(slot) = slots.get_mut(handle.slot()) else { continue };

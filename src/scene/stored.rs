@@ -10,7 +10,7 @@ use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Keyed};
 use crate::filter::Filter;
 use crate::num::{DOMAIN, Fx, Raw};
-use crate::stored::{Form, Version, Wrong, ensure, read, write};
+use crate::stored::{StoredForm, Version, Wrong, ensure, read, write};
 use heapless::Vec;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -29,7 +29,7 @@ struct Lasting<S> {
 
 #[derive(Serialize, Deserialize)]
 #[serde(bound(serialize = "B: Serialize, S: Serialize", deserialize = "B: Deserialize<'de>, S: Deserialize<'de>"))]
-struct State<B, const N: usize, S> {
+struct SceneState<B, const N: usize, S> {
     version: Version,
     near: B,
     sleep: Sleep,
@@ -37,8 +37,8 @@ struct State<B, const N: usize, S> {
     awake: Vec<u16, N>,
 }
 
-impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> Form<Snapshot<B, N, S>>
-    for State<B, N, S>
+impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, S: BodyShape> StoredForm<Snapshot<B, N, S>>
+    for SceneState<B, N, S>
 {
     type Fault = Wrong;
 
@@ -116,7 +116,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize, S: B
     for Snapshot<B, N, S>
 {
     fn serialize<T: Serializer>(&self, to: T) -> Result<T::Ok, T::Error> {
-        write::<_, State<B, N, S>, T>(self, to)
+        write::<_, SceneState<B, N, S>, T>(self, to)
     }
 }
 
@@ -126,7 +126,7 @@ where
     S: BodyShape + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        read::<_, State<B, N, S>, D>("Scene", from)
+        read::<_, SceneState<B, N, S>, D>("Scene", from)
     }
 }
 

@@ -8,23 +8,22 @@
 //! changes its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet
 //! again in the step move along each other, and their velocities meet in the next one.
 
-use super::blocked::in_vain;
+use super::blocked::blocked_sides;
 use super::body::{ALOFT, NOBODY, Slot};
-use super::change::rouse;
-use super::idle::{reach_of, stir};
+use super::change::add_to_awake;
+use super::idle::{reach_of, stop_idling};
 use super::kernel::BodyShape;
-use super::meeting::{Meeting, Top, toward};
-use super::memory::Place;
-use super::met::{FirstEnd, Met, around, each_near, may_meet, pair, reach, senses, stops};
+use super::memory::Remembered;
+use super::met::{Encounter, FirstEnd, around, each_near, may_meet, pair, reach, senses, stops};
 use super::reply::{Replies, Reply};
-use super::trip::{Touched, Trip, hold};
+use super::trip::{Touched, Trip, hold_in_place};
+use super::two_ways::{TwoWays, pushed};
 use super::view::View;
-use super::way::{BodyWay, End, Heading, Pace, TURNS, common, later, size};
+use super::way::{BodyWay, Heading, Pace, TURNS, WayEnd, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
-use crate::broad::{BroadPhase, Handle, Keyed, Pair};
+use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
-use crate::motion::response::exchange;
-use crate::motion::{Hit, Hits, Masses, Surface};
+use crate::motion::{Hit, Hits, Surface};
 use crate::num::{Toi, Vec2};
 use crate::query::Touches;
 
@@ -33,7 +32,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// the level holds, if nobody is in reach before a third body turns it: others meet them where
     /// they are.
     #[inline(never)]
-    pub(super) fn let_go<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
+    pub(super) fn release_unreachable<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
         let widest = movers
@@ -78,34 +77,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let woken = sweep.woken;
         stepped.woken += woken as u16;
         self.count += woken;
-        self.tell_woken(from);
+        self.mark_woken(from);
         let quiet =
             |handle: &Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= self.sleep().steps);
         self.awake().iter().any(quiet)
     }
 }
 
-/// What moves a body beside its velocity: its push, until it meets another body. From then on,
-/// others may lead it.
-fn pushed<S>(slot: &Slot<S>) -> Vec2 {
-    if slot.way.met.1 == 0 { slot.way.rate - slot.body.velocity } else { Vec2::ZERO }
-}
-
-/// A body comes to lie on one that something carries in this step.
-fn settle_on<S: BodyShape>(slots: &[Slot<S>], upper: &mut Slot<S>, lower: &Slot<S>, at: Handle) {
-    if lower.way.aloft || lower.support == ALOFT {
-        return;
-    }
-    if upper.way.aloft {
-        (upper.support, upper.ground, upper.way.aloft) = (ALOFT, NOBODY, false);
-    }
-    upper.lie_on(slots, lower, at);
-}
-
 struct Sweep<'a, B, V, S, R> {
     near: &'a mut B,
     slots: &'a mut [Slot<S>],
-    memory: &'a mut [Place],
+    memory: &'a mut [Remembered],
     /// The bodies that were awake before.
     movers: &'a [Handle],
     room: &'a mut [Handle],
@@ -130,14 +112,14 @@ where
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
-            match self.slots.get(handle.slot()).map_or(End::Step, |slot| slot.way.end.1) {
-                End::Step => break,
-                End::Level => self.bounce(handle),
-                End::Body(with) => self.clash(handle, with),
+            match self.slots.get(handle.slot()).map_or(WayEnd::Step, |slot| slot.way.end.1) {
+                WayEnd::Step => break,
+                WayEnd::Level => self.hit_level(handle),
+                WayEnd::Body(with) => self.meet_body(handle, with),
             }
         }
         for handle in self.movers {
-            self.land(*handle);
+            self.finish(*handle);
         }
         self.slots.iter_mut().for_each(|slot| slot.way = BodyWay::REST);
     }
@@ -166,11 +148,11 @@ where
         self.movers.iter().filter(swept).copied().min_by_key(|handle| {
             let rank = |at: usize| (self.slots.get(at).map_or(0, |slot| slot.body.key), at);
             let mine = rank(handle.slot());
-            let (time, end) = self.slots.get(handle.slot()).map_or((Toi::ONE, End::Step), |slot| slot.way.end);
+            let (time, end) = self.slots.get(handle.slot()).map_or((Toi::ONE, WayEnd::Step), |slot| slot.way.end);
             let (kind, other) = match end {
-                End::Level => (0, mine),
-                End::Body(with) => (1, rank(with.into())),
-                End::Step => (2, mine),
+                WayEnd::Level => (0, mine),
+                WayEnd::Body(with) => (1, rank(with.into())),
+                WayEnd::Step => (2, mine),
             };
             (kind == 2, time, kind, mine.min(other), mine.max(other))
         })
@@ -183,14 +165,14 @@ where
     fn look_again(&mut self, mut turned: Option<[u16; 2]>) {
         loop {
             let held = self.stepped.held;
-            self.look_all(turned.take());
+            self.find_ends(turned.take());
             if self.stepped.held == held {
                 break;
             }
         }
     }
 
-    fn look_all(&mut self, turned: Option<[u16; 2]>) {
+    fn find_ends(&mut self, turned: Option<[u16; 2]>) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
             if slot.way.pace != Pace::Swept || slot.way.is_held() {
@@ -201,16 +183,16 @@ where
                     if !slot.way.waits() {
                         continue;
                     }
-                    Ok(self.glance(handle, &slot, turned))
+                    Ok(self.compare_turned(handle, &slot, turned))
                 }
-                _ => self.look(handle, &slot),
+                _ => self.find_end(handle, &slot),
             };
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             match end {
                 Ok(end) => slot.way.end = end,
                 Err(fault) => {
                     (slot.body.velocity, slot.way.rate) = (Vec2::ZERO, Vec2::ZERO);
-                    (slot.way.turns, slot.way.end) = (BodyWay::HELD, (Toi::ONE, End::Step));
+                    (slot.way.turns, slot.way.end) = (BodyWay::HELD, (Toi::ONE, WayEnd::Step));
                     self.stepped.held += 1;
                     (self.each)(SceneEvent::Held(SceneError::of(handle, fault)));
                 }
@@ -220,7 +202,7 @@ where
 
     /// The first end of a body's way.
     #[inline(never)]
-    fn look(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, End), SceneFault> {
+    fn find_end(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, WayEnd), SceneFault> {
         let since = slot.way.since;
         let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
         let mut first = FirstEnd::of_level(touched.hit.map(|hit| later(since, hit.toi)));
@@ -233,7 +215,7 @@ where
 
     /// The first end of the way of a body that waits, if others have turned on which it did not
     /// depend. It may have ignored them before, and they may ignore it if they wait as well.
-    fn glance(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, End) {
+    fn compare_turned(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, WayEnd) {
         let (mut first, passed) = (FirstEnd::known(self.slots, slot.way.end), slot.passed());
         for other in turned {
             let other = usize::from(other);
@@ -247,17 +229,17 @@ where
 
     /// Handles a hit of the level.
     #[inline(never)]
-    fn bounce(&mut self, handle: Handle) {
+    fn hit_level(&mut self, handle: Handle) {
         let Some(slot) = self.slots.get(handle.slot()).copied() else { return };
         let (time, _) = slot.way.end;
-        self.sense(handle, &slot, time);
+        self.report_sensors(handle, &slot, time);
         let touched = self.trip.touch(&slot.body, slot.way.left(slot.way.since));
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         slot.way.turns += u8::from(slot.way.turns < TURNS);
         let mut push = pushed(slot);
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
-            self.trip.tell(handle, &slot.body.shape, &shape);
+            self.trip.report_way(handle, &slot.body.shape, &shape);
             slot.body.shape = shape;
             slot.body.velocity = self.trip.after(&slot.body, &hit);
             // It is pushed along the surface.
@@ -276,14 +258,14 @@ where
 
     /// Handles a meeting of two bodies.
     #[inline(never)]
-    fn clash(&mut self, handle: Handle, with: u16) {
+    fn meet_body(&mut self, handle: Handle, with: u16) {
         let slots = &*self.slots;
         let (Some(slot), Some(other)) = (slots.get(handle.slot()), slots.get(usize::from(with))) else { return };
         let (one, two) = ((handle, *slot), (Handle::new(with.into(), other.generation), *other));
-        if let Some(met) = Met::of((one.0, &one.1), (two.0, &two.1)) {
+        if let Some(met) = Encounter::of((one.0, &one.1), (two.0, &two.1)) {
             for (at, slot) in [&one, &two] {
                 if slot.way.pace == Pace::Swept {
-                    self.sense(*at, slot, met.time);
+                    self.report_sensors(*at, slot, met.time);
                 }
             }
             self.meet(&met);
@@ -296,125 +278,67 @@ where
     }
 
     #[inline(never)]
-    fn meet(&mut self, met: &Met) {
-        let Pair { a, b } = met.pair;
-        for (at, place) in [(a, met.place_a), (b, met.place_b)] {
+    fn meet(&mut self, met: &Encounter) {
+        self.place_at_meeting(met);
+        let Some(mut ways) = TwoWays::of(self.slots, met) else { return };
+        if !ways.again {
+            self.report(met, &ways);
+            let reply = self.replies.to(met.pair);
+            ways.exchange_velocities(self.slots, reply, self.trip.gravity);
+        }
+        ways.settle(self.slots, self.trip.gravity);
+        ways.go_on();
+        ways.part();
+        ways.count_turns();
+        for (at, from) in [(met.pair.a, ways.one), (met.pair.b, ways.other)] {
+            self.commit(at, &from);
+        }
+    }
+
+    /// Moves the swept ones of two bodies to where they meet. Tested against the level, because the
+    /// position is rounded: a body on a floor might lead into it.
+    fn place_at_meeting(&mut self, met: &Encounter) {
+        for (at, place) in [(met.pair.a, met.place_a), (met.pair.b, met.place_b)] {
             let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
                 continue;
             };
-            // Tested against the level, because the position is rounded: a body on a floor might
-            // lead into it.
             if let Ok(shape) = self.trip.slide(at, &slot.body, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
             slot.way.since = met.time;
         }
-        let Some((one, other)) = super::pairs::both(self.slots, met.pair) else { return };
-        let (mut one, mut other) = (*one, *other);
-        let again = one.way.has_met(b) || other.way.has_met(a);
-        let together = common(one.way.rate, other.way.rate);
-        let (push, push_of_other) = (pushed(&one), pushed(&other));
-        if !again {
-            let speed = met.axis.approach(other.body.velocity - one.body.velocity);
-            (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
-            rouse(self.slots, self.room, &mut self.woken, a);
-            rouse(self.slots, self.room, &mut self.woken, b);
-            let axis = (met.axis, self.replies.to(met.pair));
-            if let Some(meeting) = Meeting::of_pile(self.slots, &one, &other, axis, self.trip.gravity) {
-                let (by_a, by_b) = meeting.kicks(1);
-                for (slot, by) in [(&mut one, by_a), (&mut other, by_b)] {
-                    if !slot.way.is_held() {
-                        slot.body.velocity += by;
-                    }
-                }
-            }
+    }
+
+    /// Reports that two bodies meet for the first time, and wakes them.
+    fn report(&mut self, met: &Encounter, ways: &TwoWays<'_, S>) {
+        let speed = met.axis.approach(ways.other.body.velocity - ways.one.body.velocity);
+        (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
+        add_to_awake(self.slots, self.room, &mut self.woken, met.pair.a);
+        add_to_awake(self.slots, self.room, &mut self.woken, met.pair.b);
+    }
+
+    /// Takes over how a body goes on.
+    fn commit(&mut self, at: Handle, from: &Slot<S>) {
+        let Some(slot) = self.slots.get_mut(at.slot()) else { return };
+        // A body that has already moved in this step does not fall asleep at its end.
+        if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
+            slot.quiet = 0;
+            stop_idling(self.memory, at.slot());
         }
-        let top = Top::of(met.axis, toward(self.trip.gravity));
-        match top {
-            Top::A if one.way.pace == Pace::Swept => settle_on(self.slots, &mut one, &other, b),
-            Top::B if other.way.pace == Pace::Swept => settle_on(self.slots, &mut other, &one, a),
-            _ => {}
-        }
-        for (slot, with, push) in [(&mut one, b, push), (&mut other, a, push_of_other)] {
-            if slot.way.pace == Pace::Swept {
-                if !again {
-                    slot.way.note(with);
-                }
-                // A body that it has already met leads it, with its own velocity.
-                let rate = if again || slot.way.waits() { slot.way.rate } else { slot.body.velocity + push };
-                slot.way.go_on(met.time, rate);
-            }
-        }
-        // The rest of the two ways must not lead into each other, whatever the velocities are. A
-        // speed below the sum of the masses, in raw units, may be too low to be shared by them.
-        // Then one yields, as when they meet again.
-        let goes = (one.way.goes(), other.way.goes());
-        let shared = match goes {
-            (true, true) if !again => {
-                one.body.mass.zip(other.body.mass).and_then(|(m, n)| Masses::new(m.get(), n.get()))
-            }
-            _ => None,
-        };
-        // One that was stopped on its way there cannot yield: it would meet what stopped it, and
-        // the other again, until both wait.
-        let stopped = (one.way.stop.bars(met.axis.reversed()), other.way.stop.bars(met.axis));
-        let first_yields = if stopped.0 == stopped.1 { top == Top::A } else { stopped.1 };
-        let yields = match goes {
-            (true, other_goes) if first_yields || !other_goes => Some(Masses::B_FIXED),
-            (_, true) => Some(Masses::A_FIXED),
-            _ => None,
-        };
-        match yields {
-            Some(Masses::B_FIXED) if stopped.1 || !goes.1 => one.way.stop = Heading::of(met.axis),
-            Some(Masses::A_FIXED) if stopped.0 || !goes.0 => other.way.stop = Heading::of(met.axis.reversed()),
-            _ => {}
-        }
-        for masses in [shared, yields].into_iter().flatten() {
-            if let Ok(rates) = exchange(one.way.rate, other.way.rate, met.axis, masses, &Surface::SLICK) {
-                (one.way.rate, other.way.rate) = rates;
-            }
-        }
-        if again && met.axis.x != 0 && met.axis.y != 0 {
-            // Their ways are rounded: along a slanted side they would approach by a raw unit, meet
-            // at once, and wait.
-            let apart = Vec2::from_raw(2 * met.axis.x.signum(), 2 * met.axis.y.signum());
-            match yields {
-                Some(Masses::B_FIXED) => one.way.rate -= apart,
-                Some(_) => other.way.rate += apart,
-                None => {}
-            }
-        }
-        for (slot, goes_on) in [(&mut one, goes.1), (&mut other, goes.0)] {
-            if slot.way.pace == Pace::Swept && !(slot.way.waits() && goes_on) {
-                slot.way.turns += u8::from(slot.way.turns < TURNS);
-                if slot.way.waits() {
-                    slot.way.rate = together;
-                }
-            }
-        }
-        for (at, from) in [(a, one), (b, other)] {
-            if let Some(slot) = self.slots.get_mut(at.slot()) {
-                // A body that has already moved in this step does not fall asleep at its end.
-                if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
-                    slot.quiet = 0;
-                    stir(self.memory, at.slot());
-                }
-                (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
-                (slot.support, slot.ground) = (from.support, from.ground);
-            }
-        }
+        (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
+        (slot.support, slot.ground) = (from.support, from.ground);
     }
 
     /// Reports the sensors on a way that ends at a time.
     #[inline(never)]
-    fn sense(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
+    fn report_sensors(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
         let (each, replies) = (&mut *self.each, &mut *self.replies);
         let counts = |one: &Slot<S>, other: &Slot<S>| may_meet(one, other) && (R::CROSSES || senses(one, other));
         each_near(self.near, self.slots, (self.movers, self.margin), handle, counts, |other, at| {
             let sensor = senses(slot, at);
-            let met = Met::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
-            let told = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
-            if let Some(met) = met.filter(|met| told(replies.to(met.pair))) {
+            let met = Encounter::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
+            let reports = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
+            if let Some(met) = met.filter(|met| reports(replies.to(met.pair))) {
                 let (a, b) = if met.pair.a == handle { (slot, at) } else { (at, slot) };
                 let speed = met.axis.approach(b.body.velocity - a.body.velocity);
                 each(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
@@ -424,13 +348,13 @@ where
 
     /// Only the step ends its way.
     #[inline(never)]
-    fn land(&mut self, handle: Handle) {
+    fn finish(&mut self, handle: Handle) {
         let swept = |slot: &&Slot<S>| slot.way.pace == Pace::Swept;
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
-        self.sense(handle, &slot, Toi::ONE);
+        self.report_sensors(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         if let Ok(touched) = self.trip.touch(&slot.body, slot.way.left(slot.way.since)) {
-            self.trip.tell(handle, &slot.body.shape, &touched.shape);
+            self.trip.report_way(handle, &slot.body.shape, &touched.shape);
             slot.body.shape = touched.shape;
         }
         slot.way.since = Toi::ONE;
@@ -439,12 +363,12 @@ where
         }
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
-        slot.block(in_vain(slot.tally.push(), by), by);
+        slot.block(blocked_sides(slot.tally.push(), by), by);
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {
                 slot.body.shape = slot.body.shape.shifted(Vec2::ZERO - by);
-                hold(slot, handle, fault.into(), self.stepped, self.each);
+                hold_in_place(slot, handle, fault.into(), self.stepped, self.each);
             }
         }
     }

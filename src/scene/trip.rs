@@ -1,11 +1,11 @@
 //! The way of one body through the level.
 
-use super::blocked::in_vain;
+use super::blocked::blocked_sides;
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
 use super::kernel::{BodyShape, Visit};
 use super::lean::{down, holds_up};
 use super::meeting::toward;
-use super::memory::{Causes, Made, Place, Rest, Start, keep, known, note, rest_mut};
+use super::memory::{Causes, Made, Remembered, Rest, Start, keep, known, note, rest_mut};
 use super::met::{may_meet, senses};
 use super::view::{Sliding, View, sliding};
 use super::way::{BodyWay, Drift, Pace, size};
@@ -38,7 +38,7 @@ struct Travel<'t, 'a, V, S, N> {
     trip: &'t Trip<'a, V>,
     slot: &'t mut Slot<S>,
     handle: Handle,
-    memory: &'t mut [Place],
+    memory: &'t mut [Remembered],
     near: &'t mut N,
     each: &'t mut dyn FnMut(SceneEvent<'_>),
 }
@@ -57,9 +57,9 @@ where
 }
 
 /// A motion, and its first hit.
-struct Touch<'t, W>(&'t Sliding, &'t W, Vec2);
+struct ToFirstHit<'t, W>(&'t Sliding, &'t W, Vec2);
 
-impl<S, W: World> Visit<S> for Touch<'_, W> {
+impl<S, W: World> Visit<S> for ToFirstHit<'_, W> {
     type Out = Result<Touched<S>, SceneFault>;
     #[inline]
     fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
@@ -92,7 +92,7 @@ impl<V> Trip<'_, V> {
         &self,
         slot: &mut Slot<S>,
         handle: Handle,
-        memory: &mut [Place],
+        memory: &mut [Remembered],
         near: &mut impl BroadPhase,
         stepped: &mut Stepped,
         each: &mut dyn FnMut(SceneEvent<'_>),
@@ -122,7 +122,7 @@ impl<V> Trip<'_, V> {
         };
         if let Err(fault) = done {
             keep(memory, at, None);
-            hold(slot, handle, fault, stepped, each);
+            hold_in_place(slot, handle, fault, stepped, each);
         }
     }
 
@@ -165,7 +165,7 @@ impl<V> Trip<'_, V> {
             return false;
         }
         let (mover, level) = (self.bouncing(&slot.body), self.view.level(&slot.body));
-        let made = shape.visit(Touch(&mover, level, velocity));
+        let made = shape.visit(ToFirstHit(&mover, level, velocity));
         made.is_ok_and(|made: Touched<S>| made.shape.position() == shape.position())
     }
 
@@ -175,7 +175,7 @@ impl<V> Trip<'_, V> {
         slot: &mut Slot<S>,
         handle: Handle,
         body: &B,
-        memory: &mut [Place],
+        memory: &mut [Remembered],
         near: &mut impl BroadPhase,
         each: &mut dyn FnMut(SceneEvent<'_>),
     ) -> Result<(), SceneFault>
@@ -186,7 +186,7 @@ impl<V> Trip<'_, V> {
         let (mut start, mut blocked, Causes { push, velocity, .. }) = (*body, 0, causes);
         if push != Vec2::ZERO {
             start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
-            blocked = in_vain(push, start.position() - body.position());
+            blocked = blocked_sides(push, start.position() - body.position());
         }
         let result = self.view.go(&self.bouncing(&slot.body), (handle, &slot.body), &start, velocity);
         // Matched by reference: it is long.
@@ -218,7 +218,7 @@ impl<V> Trip<'_, V> {
         V: View<S>,
     {
         let (mover, level) = (self.mover.with_response(Response::Touch), self.view.level(body));
-        body.shape.visit(Touch(&mover, level, by))
+        body.shape.visit(ToFirstHit(&mover, level, by))
     }
 
     /// Moves as far as the level allows.
@@ -231,7 +231,7 @@ impl<V> Trip<'_, V> {
 
     /// Whether a body that gravity moves would run into the level or another body at once.
     #[inline(never)]
-    pub(super) fn holds<S: BodyShape>(
+    pub(super) fn is_held_up<S: BodyShape>(
         &self,
         slots: &[Slot<S>],
         near: &impl BroadPhase<Tag = Keyed<Filter>>,
@@ -259,11 +259,11 @@ impl<V> Trip<'_, V> {
     }
 
     /// A body has made a straight way.
-    pub(super) fn tell<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
+    pub(super) fn report_way<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
     where
         V: View<S>,
     {
-        self.view.tell(handle, from, to.position() - from.position());
+        self.view.report_way(handle, from, to.position() - from.position());
     }
 
     /// The surface that the level has for a body.
@@ -366,7 +366,7 @@ impl<S> Touched<S> {
 }
 
 /// A body that cannot be moved stays.
-pub(super) fn hold<S>(
+pub(super) fn hold_in_place<S>(
     slot: &mut Slot<S>,
     handle: Handle,
     fault: SceneFault,

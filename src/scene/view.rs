@@ -32,7 +32,7 @@ pub(super) trait View<S> {
         mover.move_and_slide(self.level(body), from, by)
     }
     /// A body has moved on a straight way.
-    fn tell(&self, _: Handle, _: &S, _: Vec2) {}
+    fn report_way(&self, _: Handle, _: &S, _: Vec2) {}
 }
 
 /// One for all bodies.
@@ -47,12 +47,12 @@ impl<W: World, S> View<S> for Common<'_, W> {
 }
 
 /// A call that says which.
-pub(super) struct Each<'l, W, F> {
+pub(super) struct EachLevel<'l, W, F> {
     of: F,
     level: PhantomData<&'l W>,
 }
 
-impl<'l, W, F> Each<'l, W, F> {
+impl<'l, W, F> EachLevel<'l, W, F> {
     pub(super) fn by<S>(of: F) -> Self
     where
         F: Fn(&SceneBody<S>) -> &'l W,
@@ -61,7 +61,7 @@ impl<'l, W, F> Each<'l, W, F> {
     }
 }
 
-impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for Each<'l, W, F> {
+impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for EachLevel<'l, W, F> {
     type Level = W;
 
     fn level(&self, body: &SceneBody<S>) -> &W {
@@ -70,19 +70,19 @@ impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for Each<'l, W, F> 
 }
 
 /// The same, and a call that receives each way.
-pub(super) struct Along<'l, W, F, T> {
-    levels: Each<'l, W, F>,
+pub(super) struct EachLevelTraced<'l, W, F, T> {
+    levels: EachLevel<'l, W, F>,
     /// Taken while it runs.
-    told: Cell<Option<T>>,
+    receiver: Cell<Option<T>>,
 }
 
-impl<'l, W, F, T> Along<'l, W, F, T> {
-    pub(super) fn by<S>(of: F, told: T) -> Self
+impl<'l, W, F, T> EachLevelTraced<'l, W, F, T> {
+    pub(super) fn by<S>(of: F, receiver: T) -> Self
     where
         F: Fn(&SceneBody<S>) -> &'l W,
         T: FnMut(Handle, &S, &Trail),
     {
-        Self { levels: Each::by(of), told: Cell::new(Some(told)) }
+        Self { levels: EachLevel::by(of), receiver: Cell::new(Some(receiver)) }
     }
 
     fn passed<S>(&self, handle: Handle, from: &S, trail: &Trail)
@@ -92,15 +92,15 @@ impl<'l, W, F, T> Along<'l, W, F, T> {
         if trail.parts().next().is_none() {
             return;
         }
-        if let Some(mut told) = self.told.take() {
-            told(handle, from, trail);
-            self.told.set(Some(told));
+        if let Some(mut receiver) = self.receiver.take() {
+            receiver(handle, from, trail);
+            self.receiver.set(Some(receiver));
         }
     }
 }
 
 impl<'l, W: World, S: BodyShape, F: Fn(&SceneBody<S>) -> &'l W, T: FnMut(Handle, &S, &Trail)> View<S>
-    for Along<'l, W, F, T>
+    for EachLevelTraced<'l, W, F, T>
 {
     type Level = W;
 
@@ -121,7 +121,7 @@ impl<'l, W: World, S: BodyShape, F: Fn(&SceneBody<S>) -> &'l W, T: FnMut(Handle,
         Ok(moved)
     }
 
-    fn tell(&self, handle: Handle, from: &S, by: Vec2) {
+    fn report_way(&self, handle: Handle, from: &S, by: Vec2) {
         self.passed(handle, from, &Trail::straight(by));
     }
 }

@@ -12,7 +12,7 @@ pub(super) struct BodyWay {
     /// bodies.
     pub(super) since: Toi,
     /// The end of this way, and its time.
-    pub(super) end: (Toi, End),
+    pub(super) end: (Toi, WayEnd),
     /// The slots of the bodies that it has met in this step, and their number.
     pub(super) met: ([u16; 3], u8),
     /// How often it was turned; 1 for a body that lay on others and has made its step.
@@ -63,7 +63,7 @@ pub(super) enum Pace {
 
 /// The end of a straight way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum End {
+pub(super) enum WayEnd {
     Level,
     /// The body in this slot.
     Body(u16),
@@ -75,7 +75,7 @@ impl BodyWay {
     pub(super) const REST: Self = Self::made(Vec2::ZERO);
 
     /// Of no body: all bits are zero.
-    pub(super) const BLANK: Self = Self { since: Toi::ZERO, end: (Toi::ZERO, End::Level), ..Self::made(Vec2::ZERO) };
+    pub(super) const BLANK: Self = Self { since: Toi::ZERO, end: (Toi::ZERO, WayEnd::Level), ..Self::made(Vec2::ZERO) };
 
     /// It waits for those below.
     pub(super) fn lies(&self) -> bool {
@@ -87,7 +87,7 @@ impl BodyWay {
         Self {
             rate,
             since: Toi::ONE,
-            end: (Toi::ONE, End::Step),
+            end: (Toi::ONE, WayEnd::Step),
             met: ([0; 3], 0),
             turns: 0,
             pace: Pace::Slow,
@@ -103,7 +103,7 @@ impl BodyWay {
 
     /// Whether its body, `of`, looks again if the one in a slot has turned.
     pub(super) fn depends_on(&self, of: Handle, slot: u16) -> bool {
-        of.slot() == usize::from(slot) || self.end.1 == End::Body(slot)
+        of.slot() == usize::from(slot) || self.end.1 == WayEnd::Body(slot)
     }
 
     /// Continues from a time on with another velocity.

@@ -117,7 +117,7 @@ impl<const N: usize, const M: usize> ConvexParts<N, M> {
     /// the [domain](crate::num::DOMAIN), sides that meet, or more parts than there is room for.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops, and by the comparison with M")]
     pub const fn of(corners: &[Vec2]) -> Result<Self, PartsError> {
-        let mut rest = match Rest::of(corners) {
+        let mut rest = match RestOfPolygon::of(corners) {
             Ok(rest) => rest,
             Err(e) => return Err(e),
         };
@@ -161,13 +161,13 @@ impl<const N: usize, const M: usize> ConvexParts<N, M> {
 
 /// The rest of a polygon: simple, counter-clockwise (y up), without corners on a line with their
 /// neighbours.
-struct Rest {
+struct RestOfPolygon {
     points: [Raw; MOST],
     count: usize,
 }
 
 #[expect(clippy::indexing_slicing, reason = "indices are remainders of the count, which is at most MOST")]
-impl Rest {
+impl RestOfPolygon {
     const fn of(corners: &[Vec2]) -> Result<Self, PartsError> {
         let n = corners.len();
         if n < 3 {

@@ -3,18 +3,18 @@
 use super::{Aabb, Capsule, Circle, Compound, CompoundError, ConvexPolygon, OrientedBox, Segment, Single};
 use crate::error::{PolygonError, RangeError};
 use crate::num::{Fx, Vec2};
-use crate::stored::{Form, stored};
+use crate::stored::{StoredForm, stored};
 use core::fmt;
 use heapless::Vec;
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
-struct Corners {
+struct MinMax {
     min: Vec2,
     max: Vec2,
 }
 
-impl Form<Aabb> for Corners {
+impl StoredForm<Aabb> for MinMax {
     type Fault = RangeError;
 
     fn of(aabb: &Aabb) -> Self {
@@ -32,7 +32,7 @@ struct Round {
     radius: Fx,
 }
 
-impl Form<Circle> for Round {
+impl StoredForm<Circle> for Round {
     type Fault = RangeError;
 
     fn of(circle: &Circle) -> Self {
@@ -50,7 +50,7 @@ struct Ends {
     b: Vec2,
 }
 
-impl Form<Segment> for Ends {
+impl StoredForm<Segment> for Ends {
     type Fault = RangeError;
 
     fn of(segment: &Segment) -> Self {
@@ -69,7 +69,7 @@ struct RoundEnds {
     radius: Fx,
 }
 
-impl Form<Capsule> for RoundEnds {
+impl StoredForm<Capsule> for RoundEnds {
     type Fault = RangeError;
 
     fn of(capsule: &Capsule) -> Self {
@@ -83,14 +83,14 @@ impl Form<Capsule> for RoundEnds {
 
 /// The half sides as they were rounded: a direction that gives them is not unique.
 #[derive(Serialize, Deserialize)]
-struct Sides {
+struct BoxSides {
     centre: Vec2,
     along: Vec2,
     across: Vec2,
     radius: Fx,
 }
 
-impl Form<OrientedBox> for Sides {
+impl StoredForm<OrientedBox> for BoxSides {
     type Fault = RangeError;
 
     fn of(turned: &OrientedBox) -> Self {
@@ -103,14 +103,14 @@ impl Form<OrientedBox> for Sides {
     }
 }
 
-stored!(Aabb as Corners);
+stored!(Aabb as MinMax);
 stored!(Circle as Round);
 stored!(Segment as Ends);
 stored!(Capsule as RoundEnds);
-stored!(OrientedBox as Sides);
+stored!(OrientedBox as BoxSides);
 
 #[derive(Serialize, Deserialize)]
-struct Outline<const N: usize> {
+struct RoundedCorners<const N: usize> {
     corners: Vec<Vec2, N>,
     radius: Fx,
 }
@@ -130,7 +130,7 @@ impl fmt::Display for PolygonFault {
     }
 }
 
-impl<const N: usize> Form<ConvexPolygon<N>> for Outline<N> {
+impl<const N: usize> StoredForm<ConvexPolygon<N>> for RoundedCorners<N> {
     type Fault = PolygonFault;
 
     fn of(polygon: &ConvexPolygon<N>) -> Self {
@@ -146,14 +146,14 @@ impl<const N: usize> Form<ConvexPolygon<N>> for Outline<N> {
     }
 }
 
-stored!([const N: usize] ConvexPolygon<N> as Outline<N>;);
+stored!([const N: usize] ConvexPolygon<N> as RoundedCorners<N>;);
 
 #[derive(Serialize, Deserialize)]
-struct Pieces<S, const M: usize> {
+struct CompoundParts<S, const M: usize> {
     parts: Vec<S, M>,
 }
 
-impl<S: Single, const M: usize> Form<Compound<S, M>> for Pieces<S, M> {
+impl<S: Single, const M: usize> StoredForm<Compound<S, M>> for CompoundParts<S, M> {
     type Fault = CompoundError;
 
     fn of(compound: &Compound<S, M>) -> Self {
@@ -168,4 +168,4 @@ impl<S: Single, const M: usize> Form<Compound<S, M>> for Pieces<S, M> {
     }
 }
 
-stored!([S: Single, const M: usize] Compound<S, M> as Pieces<S, M>; S);
+stored!([S: Single, const M: usize] Compound<S, M> as CompoundParts<S, M>; S);

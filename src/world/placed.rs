@@ -1,7 +1,7 @@
 //! A level at another position: its surface, and rays against it.
 
 use super::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
-use super::ray::scan::{Found, RayScan, RayWorld};
+use super::ray::scan::{RayScan, RayWorld, ScanHit};
 use super::ray::{RayHit, RayRules, checked, rays};
 use crate::error::RangeError;
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
@@ -257,7 +257,7 @@ pub struct PlacedRayHits<'w, W: RayWorld + 'w> {
 }
 
 impl<W: RayWorld> RayScan for PlacedRayHits<'_, W> {
-    fn next_found(&mut self) -> Option<Found> {
+    fn next_found(&mut self) -> Option<ScanHit> {
         let mut found = self.scan.next_found()?;
         found.hit.point = Raw::of(found.hit.point).add(self.offset).vec2();
         if let Some(met) = &mut found.met {

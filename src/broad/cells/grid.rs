@@ -1,6 +1,6 @@
 //! Bodies in cells of a bounded world.
 
-use super::lattice::{At, Lattice, Rows, Window};
+use super::lattice::{At, CellRows, Lattice, Window};
 use super::lists::{Links, Lists, ListsMut, Neighbours};
 use super::{InCells, Moving};
 use crate::broad::table::{Bodies, NIL, Slots, Table, touch};
@@ -68,7 +68,7 @@ pub enum Border {
 pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: bool = false> {
     pub(in crate::broad) table: Table<T, N>,
     pub(in crate::broad) lattice: Lattice,
-    pub(in crate::broad) rows: Rows,
+    pub(in crate::broad) rows: CellRows,
     pub(in crate::broad) border: Border,
     occupied: [u32; BLOCKS],
     heads: [[u16; 32]; BLOCKS],
@@ -143,7 +143,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
         Ok(Self {
             table: Table::new(),
             lattice,
-            rows: Rows { count: (cells >> log) as u16, log_columns: log as u8 },
+            rows: CellRows { count: (cells >> log) as u16, log_columns: log as u8 },
             border: Border::Clamp,
             occupied: [0; BLOCKS],
             heads: [[NIL; 32]; BLOCKS],

@@ -162,12 +162,12 @@ impl Lattice {
 
 /// How cells are numbered: row by row, with a power of two of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::broad) struct Rows {
+pub(in crate::broad) struct CellRows {
     pub(in crate::broad) count: u16,
     pub(in crate::broad) log_columns: u8,
 }
 
-impl Rows {
+impl CellRows {
     pub(in crate::broad) const fn log_columns(self) -> u32 {
         (self.log_columns & 15) as u32
     }

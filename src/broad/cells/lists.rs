@@ -231,7 +231,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         near: Neighbours,
         cell: usize,
         (mut i, mut lane, mut from): (usize, usize, usize),
-    ) -> Result<(), Stop> {
+    ) -> Result<(), LaneStop> {
         let bounds = self.bodies.bounds;
         // As long as the boxes: one comparison is enough for both.
         let Some(next) = self.lists.next.get(..bounds.len()) else { return Ok(()) };
@@ -248,11 +248,11 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
             loop {
                 while let (Some(b), Some(&then)) = (bounds.get(from), next.get(from)) {
                     if !self.meter.spend() {
-                        return Err(Stop { i, lane, from, why: PairsError::BudgetExceeded });
+                        return Err(LaneStop { i, lane, from, why: PairsError::BudgetExceeded });
                     }
                     // For two cells above each other, most boxes fail here.
                     if b.lo().y <= a.hi().y && touch(a, b) && !self.meet(i, from) {
-                        return Err(Stop { i, lane, from, why: PairsError::Full });
+                        return Err(LaneStop { i, lane, from, why: PairsError::Full });
                     }
                     from = usize::from(then);
                 }
@@ -296,14 +296,14 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
 }
 
 /// Where and why a walk stops.
-struct Stop {
+struct LaneStop {
     i: usize,
     lane: usize,
     from: usize,
     why: PairsError,
 }
 
-impl Stop {
+impl LaneStop {
     #[cold]
     fn keep(self, cell: usize, cursor: &mut PairCursor) -> PairsError {
         (cursor.row, cursor.a, cursor.lane, cursor.b) =

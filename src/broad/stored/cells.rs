@@ -7,32 +7,32 @@ use crate::broad::cells::{Border, InCells, LooseGrid, SpatialHash};
 use crate::broad::table::{Bodies, Spatial, Table};
 use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2};
-use crate::stored::{Form, Version, Wrong, ensure, stored};
+use crate::stored::{StoredForm, Version, Wrong, ensure, stored};
 use core::fmt;
 use heapless::Vec;
 use serde::{Deserialize, Serialize};
 
 /// Why a broad phase with cells is refused.
-enum Fault {
+enum CellsFault {
     Wrong(Wrong),
     Grid(GridError),
     /// A body has no cell.
     Body(usize, BroadError),
 }
 
-impl From<Wrong> for Fault {
+impl From<Wrong> for CellsFault {
     fn from(e: Wrong) -> Self {
         Self::Wrong(e)
     }
 }
 
-impl From<GridError> for Fault {
+impl From<GridError> for CellsFault {
     fn from(e: GridError) -> Self {
         Self::Grid(e)
     }
 }
 
-impl fmt::Display for Fault {
+impl fmt::Display for CellsFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Wrong(e) => e.fmt(f),
@@ -59,7 +59,7 @@ fn listed<const N: usize>(cells: &impl InCells) -> Vec<u16, N> {
 }
 
 /// Each is put before those of its list that were there.
-fn link<const N: usize>(cells: &mut impl Spatial, order: &[u16]) -> Result<(), Fault> {
+fn link<const N: usize>(cells: &mut impl Spatial, order: &[u16]) -> Result<(), CellsFault> {
     let bodies = cells.table();
     once::<N>(order, bodies.bounds.len())?;
     let len = usize::from(bodies.state.len);
@@ -69,7 +69,7 @@ fn link<const N: usize>(cells: &mut impl Spatial, order: &[u16]) -> Result<(), F
         let bodies: Bodies<'_, _> = cells.table();
         let bounds = bodies.bounds.get(at).copied().filter(|_| bodies.handle(at).is_taken());
         let bounds = bounds.ok_or(Wrong { at, what: "it is in the order, and it is free" })?;
-        let place = cells.admit(&bounds).map_err(|error| Fault::Body(at, error))?;
+        let place = cells.admit(&bounds).map_err(|error| CellsFault::Body(at, error))?;
         cells.link(at, place);
     }
     Ok(())
@@ -87,10 +87,10 @@ struct Bounded<T, const N: usize> {
     order: Vec<u16, N>,
 }
 
-impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Form<LooseGrid<BLOCKS, N, T, LARGE>>
+impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> StoredForm<LooseGrid<BLOCKS, N, T, LARGE>>
     for Bounded<T, N>
 {
-    type Fault = Fault;
+    type Fault = CellsFault;
 
     fn of(grid: &LooseGrid<BLOCKS, N, T, LARGE>) -> Self {
         Self {
@@ -104,7 +104,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> Form<LooseG
         }
     }
 
-    fn check(self) -> Result<LooseGrid<BLOCKS, N, T, LARGE>, Fault> {
+    fn check(self) -> Result<LooseGrid<BLOCKS, N, T, LARGE>, CellsFault> {
         let mut grid = LooseGrid::new(self.origin, self.cell, self.columns)?;
         grid.table = self.table.check()?;
         // A refusing border refuses only later bodies.
@@ -122,10 +122,10 @@ struct Endless<T, const N: usize> {
     order: Vec<u16, N>,
 }
 
-impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Form<SpatialHash<BUCKETS, N, T, LARGE>>
+impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> StoredForm<SpatialHash<BUCKETS, N, T, LARGE>>
     for Endless<T, N>
 {
-    type Fault = Fault;
+    type Fault = CellsFault;
 
     fn of(hash: &SpatialHash<BUCKETS, N, T, LARGE>) -> Self {
         Self {
@@ -136,7 +136,7 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> Form<Spati
         }
     }
 
-    fn check(self) -> Result<SpatialHash<BUCKETS, N, T, LARGE>, Fault> {
+    fn check(self) -> Result<SpatialHash<BUCKETS, N, T, LARGE>, CellsFault> {
         let mut hash = SpatialHash::new(self.cell)?;
         hash.table = self.table.check()?;
         link::<N>(&mut hash, &self.order)?;

@@ -1,8 +1,8 @@
 //! Pairs of the last frame, and pairs that are ignored: each once, in ascending order.
 
-use crate::broad::events::{Entry, FrameState, Mark, Term, sorted};
+use crate::broad::events::{EventEntry, FrameState, Mark, Term, sorted};
 use crate::broad::{Exceptions, Pair, PairEvents};
-use crate::stored::{Form, Version, Wrong, ensure, stored};
+use crate::stored::{StoredForm, Version, Wrong, ensure, stored};
 use heapless::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -20,21 +20,21 @@ struct Ignored<const M: usize> {
     pairs: Vec<(Pair, Term), M>,
 }
 
-fn listed<K: Copy, V: Copy, const M: usize>(entries: &[Entry<K, V>; M]) -> Vec<(K, V), M> {
+fn listed<K: Copy, V: Copy, const M: usize>(entries: &[EventEntry<K, V>; M]) -> Vec<(K, V), M> {
     entries.iter().map_while(|entry| entry.0).collect()
 }
 
-fn entries<K: Copy + Ord, V: Copy, const M: usize>(pairs: &Vec<(K, V), M>) -> Result<[Entry<K, V>; M], Wrong> {
-    let mut entries = [Entry(None); M];
+fn entries<K: Copy + Ord, V: Copy, const M: usize>(pairs: &Vec<(K, V), M>) -> Result<[EventEntry<K, V>; M], Wrong> {
+    let mut entries = [EventEntry(None); M];
     let mut last = None;
     for (at, (place, &(key, value))) in entries.iter_mut().zip(pairs).enumerate() {
         ensure(last < Some(key), at, "the pairs of the list are not in ascending order")?;
-        (*place, last) = (Entry(Some((key, value))), Some(key));
+        (*place, last) = (EventEntry(Some((key, value))), Some(key));
     }
     Ok(entries)
 }
 
-impl<const M: usize, P: Copy + Ord> Form<PairEvents<M, P>> for Known<P, M> {
+impl<const M: usize, P: Copy + Ord> StoredForm<PairEvents<M, P>> for Known<P, M> {
     type Fault = Wrong;
 
     fn of(events: &PairEvents<M, P>) -> Self {
@@ -46,7 +46,7 @@ impl<const M: usize, P: Copy + Ord> Form<PairEvents<M, P>> for Known<P, M> {
     }
 }
 
-impl<const M: usize> Form<Exceptions<M>> for Ignored<M> {
+impl<const M: usize> StoredForm<Exceptions<M>> for Ignored<M> {
     type Fault = Wrong;
 
     fn of(exceptions: &Exceptions<M>) -> Self {

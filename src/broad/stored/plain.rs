@@ -3,18 +3,18 @@
 use super::slots::{Tenants, once};
 use crate::broad::order::left;
 use crate::broad::{BruteForce, SortSweep, Tag};
-use crate::stored::{Form, Version, Wrong, ensure, stored};
+use crate::stored::{StoredForm, Version, Wrong, ensure, stored};
 use heapless::Vec;
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
 #[serde(bound(serialize = "T: Serialize", deserialize = "T: Deserialize<'de>"))]
-struct Each<T, const N: usize> {
+struct PlainTable<T, const N: usize> {
     version: Version,
     table: Tenants<T, N>,
 }
 
-impl<const N: usize, T: Tag> Form<BruteForce<N, T>> for Each<T, N> {
+impl<const N: usize, T: Tag> StoredForm<BruteForce<N, T>> for PlainTable<T, N> {
     type Fault = Wrong;
 
     fn of(near: &BruteForce<N, T>) -> Self {
@@ -38,7 +38,7 @@ struct InOrder<T, const N: usize> {
     epoch: u32,
 }
 
-impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for InOrder<T, N> {
+impl<const N: usize, T: Tag> StoredForm<SortSweep<N, T>> for InOrder<T, N> {
     type Fault = Wrong;
 
     fn of(near: &SortSweep<N, T>) -> Self {
@@ -85,6 +85,6 @@ impl<const N: usize, T: Tag> Form<SortSweep<N, T>> for InOrder<T, N> {
     }
 }
 
-stored!([const N: usize, T: Tag] BruteForce<N, T> as Each<T, N>; T);
+stored!([const N: usize, T: Tag] BruteForce<N, T> as PlainTable<T, N>; T);
 
 stored!([const N: usize, T: Tag] SortSweep<N, T> as InOrder<T, N>; T);

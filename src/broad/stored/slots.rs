@@ -3,7 +3,7 @@
 use crate::broad::table::{NIL, State, Table, dead};
 use crate::broad::{Handle, Tag};
 use crate::shape::Aabb;
-use crate::stored::{Form, Wrong, ensure, stored};
+use crate::stored::{StoredForm, Wrong, ensure, stored};
 use heapless::Vec;
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +13,7 @@ struct Name {
     generation: u16,
 }
 
-impl Form<Handle> for Name {
+impl StoredForm<Handle> for Name {
     type Fault = Wrong;
 
     fn of(handle: &Handle) -> Self {
@@ -49,7 +49,7 @@ pub(super) struct Tenants<T, const N: usize> {
     epoch: u32,
 }
 
-impl<T: Tag, const N: usize> Form<Table<T, N>> for Tenants<T, N> {
+impl<T: Tag, const N: usize> StoredForm<Table<T, N>> for Tenants<T, N> {
     type Fault = Wrong;
 
     fn of(table: &Table<T, N>) -> Self {

@@ -6,7 +6,7 @@ use super::surface::{Speed, Surface};
 use super::verlet::Stick;
 use crate::error::RangeError;
 use crate::num::{Fx, Ratio, Vec2};
-use crate::stored::{Form, stored};
+use crate::stored::{StoredForm, stored};
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
@@ -17,7 +17,7 @@ struct Material {
     rest: u32,
 }
 
-impl Form<Surface> for Material {
+impl StoredForm<Surface> for Material {
     type Fault = &'static str;
 
     fn of(surface: &Surface) -> Self {
@@ -41,7 +41,7 @@ struct Rod {
     slack: bool,
 }
 
-impl Form<Stick> for Rod {
+impl StoredForm<Stick> for Rod {
     type Fault = RangeError;
 
     fn of(stick: &Stick) -> Self {
@@ -62,7 +62,7 @@ struct Terms {
     b: u8,
 }
 
-impl Form<Masses> for Terms {
+impl StoredForm<Masses> for Terms {
     type Fault = &'static str;
 
     fn of(masses: &Masses) -> Self {
@@ -87,7 +87,7 @@ struct Change {
     frames: u32,
 }
 
-impl Form<Acceleration> for Change {
+impl StoredForm<Acceleration> for Change {
     type Fault = &'static str;
 
     fn of(acceleration: &Acceleration) -> Self {
@@ -103,12 +103,12 @@ impl Form<Acceleration> for Change {
 }
 
 #[derive(Serialize, Deserialize)]
-struct Parts {
+struct CarryParts {
     x: i32,
     y: i32,
 }
 
-impl Form<Carry> for Parts {
+impl StoredForm<Carry> for CarryParts {
     type Fault = &'static str;
 
     fn of(carry: &Carry) -> Self {
@@ -130,4 +130,4 @@ stored!(Surface as Material);
 stored!(Stick as Rod);
 stored!(Masses as Terms);
 stored!(Acceleration as Change);
-stored!(Carry as Parts);
+stored!(Carry as CarryParts);

@@ -156,56 +156,7 @@ impl Surface {
     }
 }
 
-pub(in crate::motion) mod law {
-    //! The part of surfaces that only this crate calls.
-
-    use super::Surface;
-    use crate::motion::moved::Hit;
-    use crate::motion::response::table::{Response, Responses};
-    use crate::world::sealed::Sealed;
-
-    /// How surfaces affect a mover's bodies: [`Smooth`](super::Smooth), which links no code for
-    /// friction and restitution, or a [`Surface`].
-    pub trait Law: Sealed + Copy {
-        /// Whether there is neither friction nor a loss.
-        const SMOOTH: bool;
-        /// The surface.
-        fn surface(&self) -> Surface;
-        /// The response to a hit, if it is not the mover's.
-        #[inline]
-        fn response_to(&self, hit: &Hit) -> Option<Response> {
-            self.responses().response_to(hit.flags)
-        }
-        /// The responses to surfaces with flags.
-        fn responses(&self) -> Responses {
-            Responses::NONE
-        }
-    }
-}
-
-/// No friction, and bounces that lose only roundings: the default of a
-/// [`Mover`](crate::motion::Mover).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Smooth;
-
-impl crate::world::sealed::Sealed for Smooth {}
 impl crate::world::sealed::Sealed for Surface {}
-
-impl law::Law for Smooth {
-    const SMOOTH: bool = true;
-    fn surface(&self) -> Surface {
-        Surface::ELASTIC
-    }
-}
-
-impl law::Law for Surface {
-    const SMOOTH: bool = false;
-    fn surface(&self) -> Surface {
-        *self
-    }
-}
 
 /// The square of the speed that a body should have, exact. It keeps a thousand bounces as fast as
 /// the first.

@@ -1,9 +1,5 @@
 //! What a body does at a hit, and for which surfaces it does something else.
 
-use super::surface::law::Law;
-use super::{Smooth, Surface};
-use crate::motion::moved::Hit;
-
 /// How a body responds to what it hits. The words are bump.lua's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -101,46 +97,5 @@ impl Responses {
     #[must_use]
     pub const fn sliding(self, flags: u8) -> Self {
         Self { slide: self.slide | flags, ..self }
-    }
-}
-
-/// The surface of a mover that [responds by a function](crate::Mover::with_answers).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ByHit<F, S = Smooth> {
-    pub(in crate::motion) surface: S,
-    pub(in crate::motion) answers: F,
-}
-
-impl<F, S> crate::world::sealed::Sealed for ByHit<F, S> {}
-
-impl<F: Fn(&Hit) -> Option<Response> + Copy, S: Law> Law for ByHit<F, S> {
-    const SMOOTH: bool = S::SMOOTH;
-    fn surface(&self) -> Surface {
-        self.surface.surface()
-    }
-    fn response_to(&self, hit: &Hit) -> Option<Response> {
-        (self.answers)(hit)
-    }
-}
-
-/// The surface of a mover that [responds by flags](crate::Mover::with_responses).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct ByFlags<S = Smooth> {
-    pub(in crate::motion) surface: S,
-    pub(in crate::motion) responses: Responses,
-}
-
-impl<S: Law> crate::world::sealed::Sealed for ByFlags<S> {}
-
-impl<S: Law> Law for ByFlags<S> {
-    const SMOOTH: bool = S::SMOOTH;
-    fn surface(&self) -> Surface {
-        self.surface.surface()
-    }
-    fn responses(&self) -> Responses {
-        self.responses
     }
 }

@@ -6,7 +6,7 @@
 //! straight way, which finds further bounds, until nothing is hit.
 
 use super::push::Press;
-use super::room::{HalfPlane, Room};
+use super::room::{HalfPlane, RoomToMove};
 use super::shove::Shove;
 use super::turn::Turn;
 use super::{Carrier, Ridden, Ride};
@@ -116,7 +116,7 @@ impl<L: Law> Mover<L> {
             carry: carry.vec2(),
             work: Work::default(),
         };
-        let room = Room::new(carry, solids.iter().map(ConvexSolid::longest).max().unwrap_or(0));
+        let room = RoomToMove::new(carry, solids.iter().map(ConvexSolid::longest).max().unwrap_or(0));
         let mut pushes = ConvexPushes { solids, body, floor: ridden.floor, room, press: None };
         let (mut d, mut made, mut starts) = (carry, Raw::ZERO, true);
         let mut done = None;
@@ -325,7 +325,7 @@ struct ConvexPushes<'a, S, B> {
     solids: &'a [ConvexSolid<S>],
     body: &'a B,
     floor: Option<u16>,
-    room: Room,
+    room: RoomToMove,
     press: Option<Press>,
 }
 

@@ -78,7 +78,7 @@ const BOUNDS: usize = 12;
 type Source = (Option<u16>, u8, (i32, i32));
 
 /// Up to twelve bounds. What does not fit closes the room.
-pub(super) struct Room {
+pub(super) struct RoomToMove {
     wanted: Raw,
     /// How far a displacement may be from the wanted one, along x or y.
     far: u32,
@@ -86,7 +86,7 @@ pub(super) struct Room {
     closed: bool,
 }
 
-impl Room {
+impl RoomToMove {
     /// The room around a displacement, of pushes of up to `push`.
     pub(super) fn new(wanted: Raw, push: u32) -> Self {
         let far = push.saturating_mul(8).saturating_add(16);
@@ -167,11 +167,11 @@ impl Room {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test")]
 mod tests {
-    use super::{Axis, HalfPlane, Raw, Room};
+    use super::{Axis, HalfPlane, Raw, RoomToMove};
     use crate::world::{Cell, Feature, Geometry};
 
-    fn room(planes: &[(i32, i32, i32, i32)], wanted: (i32, i32)) -> Room {
-        let mut room = Room::new(Raw { x: wanted.0, y: wanted.1 }, 1000);
+    fn room(planes: &[(i32, i32, i32, i32)], wanted: (i32, i32)) -> RoomToMove {
+        let mut room = RoomToMove::new(Raw { x: wanted.0, y: wanted.1 }, 1000);
         for (i, &(nx, ny, x, y)) in planes.iter().enumerate() {
             let geometry = Geometry::Vertex { p: crate::num::Vec2::ZERO, e_in: Axis::X, e_out: Axis::Y };
             let feature = Feature { geometry, cell: Cell::default(), index: 0, flags: 0, one_way: false, source: 0 };

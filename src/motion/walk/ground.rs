@@ -3,12 +3,12 @@
 use crate::error::RangeError;
 use crate::motion::body::{Body, Entry};
 use crate::motion::order::First;
-use crate::motion::plane::{NEAR, SurfaceRole, into, may_be_askew};
+use crate::motion::plane::{NEAR, SurfaceRole, into, may_be_askew, way};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
 use crate::motion::ways::Ways;
 use crate::motion::{Hit, Moved, Mover};
-use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div, umul};
+use crate::num::{Axis, DOMAIN, Fx, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
 use crate::world::{Cell, Feature, World};
 
@@ -243,4 +243,9 @@ pub(super) fn along(axis: Axis, length: i32) -> Raw {
 pub(super) fn leads(v: Raw, axis: Axis) -> bool {
     let size = u64::from(axis.x.unsigned_abs()) + u64::from(axis.y.unsigned_abs());
     axis.dot(Axis::new(v.x, v.y)) > (size * u64::from(NEAR)) as i64
+}
+
+/// The longer component, as a length.
+pub(super) fn length(d: Raw) -> Fx {
+    Fx::from_bits(way(d) as i32)
 }

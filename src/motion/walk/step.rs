@@ -1,9 +1,8 @@
 //! Steps: up, forward, down.
 
 use super::Support;
-use super::ground::{CONTACT, Ground, Look, along, within};
+use super::ground::{CONTACT, Ground, Look, along, length, within};
 use super::stride::Stride;
-use super::walker::length;
 use crate::motion::body::{Body, kernel::Kernel};
 use crate::motion::plane::{NEAR, into, way};
 use crate::motion::search::hull;

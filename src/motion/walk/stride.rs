@@ -1,8 +1,8 @@
 //! One frame on the ground: legs along the floor, turned where it bends, and steps.
 
 use super::Support;
-use super::ground::{CONTACT, Ground, Look, along};
-use super::walker::{SlopeSpeed, Walker, length};
+use super::ground::{CONTACT, Ground, Look, along, length};
+use super::walker::{SlopeSpeed, Walker};
 use crate::motion::body::Body;
 use crate::motion::plane::{
     NEAR, Pipe, SurfaceRole, across, lies_along, may_be_askew, project, tangent, tangential, way,

@@ -13,7 +13,7 @@ use crate::shape::{Aabb, Circle, Segment};
 use boxes::{Rounded, SideMoment, enter_box};
 use kernel::{Course, Enter, Exchanged, InDomain, Moment, exchanged};
 use moment::{Disc, enter_disc, hit_disc};
-use segments::{Capsule, EdgeMoment, enter_crossing, enter_segment};
+use segments::{CapsuleMoment, EdgeMoment, enter_crossing, enter_segment};
 
 // Motion uses these through this path.
 pub(crate) use moment as crossing;
@@ -296,7 +296,7 @@ casts_both!(
 casts_both!(
     Circle,
     Segment,
-    Capsule,
+    CapsuleMoment,
     |a, b, d| segments::gate(a, b, d).then(|gate| gate.enter(a, d)),
     #[inline(never)]
     segments::gate(a, b, d).then(|gate| gate.hits(a, d).then_some(())),

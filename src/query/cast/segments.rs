@@ -173,7 +173,7 @@ const fn normal(e: Raw) -> Axis {
 
 /// The part of a capsule that a point meets.
 #[derive(Clone, Copy, Debug)]
-pub enum Capsule {
+pub enum CapsuleMoment {
     /// A slanted side.
     Slope(Slope),
     /// A side of a segment along x or y, or the disc around an end.
@@ -201,10 +201,10 @@ pub(super) enum CapsuleGate {
 impl CapsuleGate {
     /// The part of it that a circle meets when it moves by `d`.
     #[inline]
-    pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<Capsule> {
+    pub(super) fn enter(self, circle: &Circle, d: Raw) -> Option<CapsuleMoment> {
         match self {
-            Self::Slope(slope) => Some(Capsule::Slope(slope)),
-            Self::Rounded(gate) => gate.enter(circle, d).map(Capsule::Rounded),
+            Self::Slope(slope) => Some(CapsuleMoment::Slope(slope)),
+            Self::Rounded(gate) => gate.enter(circle, d).map(CapsuleMoment::Rounded),
         }
     }
 
@@ -222,11 +222,11 @@ impl CapsuleGate {
 #[inline]
 pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> {
     match facing(circle, s, d) {
-        Facing::Away => Course::Free,
-        Facing::Straight => straight_gate(circle, s, d),
-        Facing::Slanted(slanted) => slanted.part(d).map(|part| match part {
-            Part::Slope { into } => CapsuleGate::Slope(slanted.slope(into)),
-            Part::End(end) => CapsuleGate::Rounded(boxes::BoxGate::Corner(end)),
+        FacedSegment::Away => Course::Free,
+        FacedSegment::Straight => straight_gate(circle, s, d),
+        FacedSegment::Slanted(slanted) => slanted.part(d).map(|part| match part {
+            SlantedPart::Slope { into } => CapsuleGate::Slope(slanted.slope(into)),
+            SlantedPart::End(end) => CapsuleGate::Rounded(boxes::BoxGate::Corner(end)),
         }),
     }
 }
@@ -235,17 +235,17 @@ pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> 
 #[inline]
 pub(super) fn contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw, Axis)> {
     match facing(circle, s, d) {
-        Facing::Away => Course::Free,
-        Facing::Straight => boxes::straight_contact(circle, s, d),
-        Facing::Slanted(slanted) => slanted.part(d).then(|part| match part {
-            Part::Slope { into } => Some(slanted.slope(into).contact(d)),
-            Part::End(end) => corner_contact(circle.c().sub(end), circle.r(), d),
+        FacedSegment::Away => Course::Free,
+        FacedSegment::Straight => boxes::straight_contact(circle, s, d),
+        FacedSegment::Slanted(slanted) => slanted.part(d).then(|part| match part {
+            SlantedPart::Slope { into } => Some(slanted.slope(into).contact(d)),
+            SlantedPart::End(end) => corner_contact(circle.c().sub(end), circle.r(), d),
         }),
     }
 }
 
 /// A segment as a circle comes to it.
-enum Facing {
+enum FacedSegment {
     /// It overlaps nothing: it has no radius, or does not come near.
     Away,
     /// Along x or y, like a box of no width.
@@ -254,17 +254,17 @@ enum Facing {
 }
 
 #[inline(always)]
-fn facing(circle: &Circle, s: &Segment, d: Raw) -> Facing {
+fn facing(circle: &Circle, s: &Segment, d: Raw) -> FacedSegment {
     let (a, b) = (s.ra(), s.rb());
     if circle.r() == 0 {
-        Facing::Away
+        FacedSegment::Away
     } else if a.x == b.x || a.y == b.y {
-        Facing::Straight
+        FacedSegment::Straight
     // Where products are cheap, the strip turns away as much for less.
     } else if !LONG && !boxes::comes_near(circle, a, b, d) {
-        Facing::Away
+        FacedSegment::Away
     } else {
-        Facing::Slanted(Slanted::new(circle, a, b))
+        FacedSegment::Slanted(Slanted::new(circle, a, b))
     }
 }
 
@@ -296,7 +296,7 @@ struct Slanted {
 }
 
 /// The only part of a slanted capsule that a motion can come in through.
-enum Part {
+enum SlantedPart {
     /// The side, which it does come through: this much of the way leads to the line.
     Slope { into: u64 },
     /// The disc around an end.
@@ -319,7 +319,7 @@ impl Slanted {
     }
 
     #[inline(always)]
-    fn part(&self, d: Raw) -> Course<Part> {
+    fn part(&self, d: Raw) -> Course<SlantedPart> {
         let Self { c, r, a, b, e, m, cross, u, len2, reach } = *self;
         let gap = cross.unsigned_abs();
         if is_below(gap, reach) {
@@ -331,7 +331,11 @@ impl Slanted {
             } else {
                 return Course::Inside;
             };
-            return if circle_circle::<false>(c, end, r) { Course::Inside } else { Course::Meets(Part::End(end)) };
+            return if circle_circle::<false>(c, end, r) {
+                Course::Inside
+            } else {
+                Course::Meets(SlantedPart::End(end))
+            };
         }
         let (left, d) = (self.is_left(), Offset::of_raw(d));
         let turn = e.cross(d);
@@ -353,11 +357,11 @@ impl Slanted {
             }
         };
         Course::Meets(if !meets(u, du, m, left) {
-            Part::End(a)
+            SlantedPart::End(a)
         } else if !meets((len2 as i64).wrapping_sub(u), du.wrapping_neg(), m.sub(e), !left) {
-            Part::End(b)
+            SlantedPart::End(b)
         } else {
-            Part::Slope { into: into as u64 }
+            SlantedPart::Slope { into: into as u64 }
         })
     }
 
@@ -433,7 +437,7 @@ impl Slope {
     }
 }
 
-impl Moment for Capsule {
+impl Moment for CapsuleMoment {
     fn exact_toi(&self, d: Raw) -> Toi {
         match self {
             Self::Slope(slope) => slope.exact_toi(),

@@ -265,7 +265,7 @@ const fn support(n: Axis, lo: Raw, hi: Raw) -> Raw {
 }
 
 /// One segment's shorter way out over the line of another.
-struct Exit {
+struct SegmentExit {
     /// The normal of the line, toward the end that is shorter behind it.
     axis: Axis,
     /// How far that end is behind the line, times the axis' length.
@@ -281,7 +281,7 @@ struct Exit {
 /// `a b` to `p q`.
 ///
 /// `prefer` is the side to take in a tie.
-fn over(a: Raw, b: Raw, p: Raw, q: Raw, prefer: i32) -> Exit {
+fn over(a: Raw, b: Raw, p: Raw, q: Raw, prefer: i32) -> SegmentExit {
     let (a, b) = ordered(a, b);
     let e = parallel_to_unit(b.sub(a));
     let normal = e.perp();
@@ -292,9 +292,9 @@ fn over(a: Raw, b: Raw, p: Raw, q: Raw, prefer: i32) -> Exit {
     let (back, front) = (side(p).wrapping_neg(), side(q));
     let tie = back == front;
     if back < front || (tie && prefer > 0) {
-        Exit { axis: normal, s: back, end: p, tie, normal }
+        SegmentExit { axis: normal, s: back, end: p, tie, normal }
     } else {
-        Exit { axis: normal.reversed(), s: front, end: q, tie, normal }
+        SegmentExit { axis: normal.reversed(), s: front, end: q, tie, normal }
     }
 }
 
@@ -304,7 +304,7 @@ fn segment_segment(a0: Raw, a1: Raw, b0: Raw, b1: Raw) -> Option<Contact> {
     }
     // The second exit is seen with the roles exchanged: its axis is reversed below.
     let (of_b, of_a) = (over(a0, a1, b0, b1, 1), over(b0, b1, a0, a1, -1));
-    let square = |exit: &Exit| Square { num: sqr64(exit.s as u64), den: exit.axis.length_squared() };
+    let square = |exit: &SegmentExit| Square { num: sqr64(exit.s as u64), den: exit.axis.length_squared() };
     let (less, more) = (square(&of_b).less(square(&of_a)), square(&of_a).less(square(&of_b)));
     let equal = !less && !more;
     if less || (equal && rank(of_b.normal) < rank(of_a.normal)) {

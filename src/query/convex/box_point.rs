@@ -23,17 +23,17 @@ pub(super) struct BoxPoint {
 }
 
 /// What of the box is nearest to the point.
-enum Part {
+enum BoxPart {
     /// The point is inside or on the border: how far behind the nearer one of each two sides, times
     /// half of its length.
     Inside(i64, i64),
     /// A side, at this distance times half of its length.
-    Side(Side, i64),
+    Side(BoxSide, i64),
     /// The way to the point from a corner.
     Corner(Offset),
 }
 
-struct Side {
+struct BoxSide {
     /// Half of it: `v` or `u`.
     half: Offset,
     /// From the middle of the box to the middle of the side.
@@ -42,7 +42,7 @@ struct Side {
     reversed: bool,
 }
 
-impl Part {
+impl BoxPart {
     /// Whether the point is nearer than a radius, or as near.
     #[inline(always)]
     const fn is_within<const CLOSED: bool>(&self, radius: i32) -> bool {
@@ -80,7 +80,7 @@ impl BoxPoint {
 
     /// Half sides are below 2^29, and `d` is below 2^30: products of three terms are below 2^61.
     #[inline(always)]
-    const fn part(&self) -> Part {
+    const fn part(&self) -> BoxPart {
         let (along_u, along_v) = (self.d.cross(self.v), self.u.cross(self.d));
         let beyond_u = along_u.wrapping_abs().wrapping_sub(self.area);
         let beyond_v = along_v.wrapping_abs().wrapping_sub(self.area);
@@ -88,29 +88,29 @@ impl BoxPoint {
         // point of the other side.
         if beyond_u <= 0 {
             if beyond_v <= 0 {
-                return Part::Inside(beyond_u.wrapping_neg(), beyond_v.wrapping_neg());
+                return BoxPart::Inside(beyond_u.wrapping_neg(), beyond_v.wrapping_neg());
             }
             return match self.foot(self.side_v(along_v)) {
-                Ok(side) => Part::Side(side, beyond_v),
-                Err(way) => Part::Corner(way),
+                Ok(side) => BoxPart::Side(side, beyond_v),
+                Err(way) => BoxPart::Corner(way),
             };
         }
         let end = match self.foot(self.side_u(along_u)) {
-            Ok(side) => return Part::Side(side, beyond_u),
+            Ok(side) => return BoxPart::Side(side, beyond_u),
             Err(way) => way,
         };
         if beyond_v <= 0 {
-            return Part::Corner(end);
+            return BoxPart::Corner(end);
         }
         match self.foot(self.side_v(along_v)) {
-            Ok(side) => Part::Side(side, beyond_v),
-            Err(way) => Part::Corner(if way.len2() < end.len2() { way } else { end }),
+            Ok(side) => BoxPart::Side(side, beyond_v),
+            Err(way) => BoxPart::Corner(if way.len2() < end.len2() { way } else { end }),
         }
     }
 
     /// A side if it has the foot of the point, or the way to the point from its nearer end.
     #[inline(always)]
-    const fn foot(&self, side: Side) -> Result<Side, Offset> {
+    const fn foot(&self, side: BoxSide) -> Result<BoxSide, Offset> {
         let from = self.d.sub(side.out);
         let foot = from.dot(side.half);
         if foot.unsigned_abs() <= side.half.len2() {
@@ -122,15 +122,15 @@ impl BoxPoint {
 
     /// The side of the half plane that the point is in, `along` the first half side.
     #[inline(always)]
-    const fn side_u(&self, along: i64) -> Side {
+    const fn side_u(&self, along: i64) -> BoxSide {
         let reversed = along < 0;
-        Side { half: self.v, out: if reversed { self.u.reversed() } else { self.u }, reversed }
+        BoxSide { half: self.v, out: if reversed { self.u.reversed() } else { self.u }, reversed }
     }
 
     #[inline(always)]
-    const fn side_v(&self, along: i64) -> Side {
+    const fn side_v(&self, along: i64) -> BoxSide {
         let reversed = along < 0;
-        Side { half: self.u, out: if reversed { self.v.reversed() } else { self.v }, reversed: !reversed }
+        BoxSide { half: self.u, out: if reversed { self.v.reversed() } else { self.v }, reversed: !reversed }
     }
 
     /// Whether the point is nearer than the radii, or as near.
@@ -143,9 +143,9 @@ impl BoxPoint {
     #[inline]
     pub(super) const fn distance(&self) -> u32 {
         match self.part() {
-            Part::Inside(..) => 0,
-            Part::Side(side, height) => div_sqrt(height.unsigned_abs(), side.half.len2()),
-            Part::Corner(way) => isqrt64(way.len2()),
+            BoxPart::Inside(..) => 0,
+            BoxPart::Side(side, height) => div_sqrt(height.unsigned_abs(), side.half.len2()),
+            BoxPart::Corner(way) => isqrt64(way.len2()),
         }
     }
 
@@ -157,9 +157,9 @@ impl BoxPoint {
             return Ok(None);
         }
         let contact = match part {
-            Part::Side(side, _) => self.across(&side),
-            Part::Inside(u, v) => self.across(&self.nearest(u, v)?),
-            Part::Corner(way) => {
+            BoxPart::Side(side, _) => self.across(&side),
+            BoxPart::Inside(u, v) => self.across(&self.nearest(u, v)?),
+            BoxPart::Corner(way) => {
                 let way = way.raw();
                 if self.of_a {
                     Contact::radial(self.point.sub(way), way)
@@ -172,7 +172,7 @@ impl BoxPoint {
     }
 
     /// The side nearest to a point that is inside, at these heights.
-    fn nearest(&self, u: i64, v: i64) -> Result<Side, Unsure> {
+    fn nearest(&self, u: i64, v: i64) -> Result<BoxSide, Unsure> {
         let (along_u, along_v) = (self.d.cross(self.v), self.u.cross(self.d));
         if self.radius() == 0 {
             return Err(Unsure);
@@ -186,7 +186,7 @@ impl BoxPoint {
 
     /// The contact across a side.
     #[inline(always)]
-    const fn across(&self, side: &Side) -> Contact {
+    const fn across(&self, side: &BoxSide) -> Contact {
         let half = side.half.raw();
         let edge = half.add(half);
         let (axis, overlap) = over(if side.reversed { edge.reversed() } else { edge }, side.out.sub(self.d).raw());

@@ -2,7 +2,7 @@
 
 use super::across::across;
 use super::nearness::{Least, Nearness, Unsure};
-use super::place::{NearestCorner, Place};
+use super::place::{NearestCorner, NearestPart};
 use super::walk::{Core, PolygonSide};
 use crate::num::{Raw, SPLIT, leading_zeros32};
 use crate::query::contact::Contact;
@@ -86,7 +86,7 @@ pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Pol
 }
 
 /// Where the origin is relative to the sum of two boxes; none where sides of both make up one.
-pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<Place> {
+pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<NearestPart> {
     let d = q.middle.sub(p.middle);
     let sides = [p.u, p.v, q.u, q.v];
     let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());

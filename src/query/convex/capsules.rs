@@ -2,7 +2,7 @@
 
 use super::across::across;
 use super::nearness::Unsure;
-use super::place::Place;
+use super::place::NearestPart;
 use super::two_segments::{TwoSegments, end_of};
 use super::walk::Corner;
 use crate::num::Raw;
@@ -35,7 +35,7 @@ impl Capsules {
     }
 
     #[inline(always)]
-    fn place(&self) -> Option<Place> {
+    fn place(&self) -> Option<NearestPart> {
         TwoSegments::of(self.a, self.b)?.place()
     }
 
@@ -53,9 +53,9 @@ impl Capsules {
             return Ok(None);
         }
         let contact = match place {
-            Place::Inside => return Err(Unsure),
-            Place::Side(side, _) => across(&side, end_of(self.a, side.a), end_of(self.b, side.b)),
-            Place::Corner(Corner { at, a, .. }) => Contact::radial(end_of(self.a, a), at.reversed()),
+            NearestPart::Inside => return Err(Unsure),
+            NearestPart::Side(side, _) => across(&side, end_of(self.a, side.a), end_of(self.b, side.b)),
+            NearestPart::Corner(Corner { at, a, .. }) => Contact::radial(end_of(self.a, a), at.reversed()),
         };
         Ok(Some(contact.with_radii(self.radii.0, self.radii.1)))
     }

@@ -5,7 +5,7 @@ use super::boxes::{self, Parallelogram};
 use super::each_side;
 use super::face::Facing;
 use super::nearness::{Nearness, Unsure, order};
-use super::place::Place;
+use super::place::NearestPart;
 use super::short_place::short_place_of;
 use super::walk::{Core, Corner, PolygonSide, SideWalk};
 use crate::num::Raw;
@@ -24,18 +24,18 @@ impl Exit {
     #[inline]
     pub(super) fn of(a: Core<'_>, b: Core<'_>) -> Option<Self> {
         let radius = a.radius.wrapping_add(b.radius);
-        let place = if radius == 0 { Place::Inside } else { short_place_of(a, b) };
+        let place = if radius == 0 { NearestPart::Inside } else { short_place_of(a, b) };
         if !place.within::<false>(radius) {
             return None;
         }
         let side = match place {
             // From A's corner to B's, in any direction where they are one point.
-            Place::Corner(Corner { at, a: i, b: j }) => {
+            NearestPart::Corner(Corner { at, a: i, b: j }) => {
                 let contact = Contact::radial(a.corner(i), at.reversed()).with_degenerate(at.is_zero());
                 return Some(Self { contact: contact.with_radii(a.radius, b.radius), side: None, corners: (i, j) });
             }
             // Only the radii overlap.
-            Place::Side(side, height) if height > 0 => (side, false),
+            NearestPart::Side(side, height) if height > 0 => (side, false),
             _ => nearest(a, b, radius == 0)?,
         };
         let (side, tie) = side;

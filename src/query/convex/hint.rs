@@ -2,7 +2,7 @@
 
 use super::each_side;
 use super::meets::corners_meet;
-use super::place::{Place, sharp};
+use super::place::{NearestPart, sharp};
 use super::short_place::place_of;
 use super::short_sides::shortly;
 use super::walk::{Core, Corner, PolygonSide, turn};
@@ -111,9 +111,9 @@ pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: &(Aabb, Aabb), last: &mu
     } else {
         match place_of(a, b) {
             place if place.within::<false>(radius) => return true,
-            Place::Side(side, _) => Some(Separation::side(&side)),
-            Place::Corner(corner) => Some(Separation::corners(&corner)),
-            Place::Inside => None,
+            NearestPart::Side(side, _) => Some(Separation::side(&side)),
+            NearestPart::Corner(corner) => Some(Separation::corners(&corner)),
+            NearestPart::Inside => None,
         }
     };
     if let Some(apart_by) = apart_by {

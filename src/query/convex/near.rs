@@ -3,7 +3,7 @@
 
 use super::across::normal;
 use super::face::{Facing, face};
-use super::place::Place;
+use super::place::NearestPart;
 use super::short_place::place_of;
 use super::walk::{Core, PolygonSide};
 use crate::num::{Axis, Raw, toward};
@@ -17,9 +17,9 @@ pub(super) fn closest_points(a: Core<'_>, b: Core<'_>) -> Option<(Raw, Raw)> {
     }
     // On the cores, and the exact direction from A to B.
     let (p, q, n) = match place {
-        Place::Inside => return None,
-        Place::Corner(corner) => (a.corner(corner.a), b.corner(corner.b), corner.at.reversed()),
-        Place::Side(side, _) => {
+        NearestPart::Inside => return None,
+        NearestPart::Corner(corner) => (a.corner(corner.a), b.corner(corner.b), corner.at.reversed()),
+        NearestPart::Side(side, _) => {
             let (p, q) = beside(&side, a, b);
             (p, q, normal(side.edge))
         }
@@ -32,10 +32,10 @@ pub(super) fn closest_points(a: Core<'_>, b: Core<'_>) -> Option<(Raw, Raw)> {
 /// one that leaves most room. A side's is its normal, of length one along x and y.
 pub(crate) fn between(a: Core<'_>, b: Core<'_>) -> Option<Axis> {
     match place_of(a, b) {
-        Place::Inside => None,
-        Place::Corner(corner) => Some(Axis::new(corner.at.x, corner.at.y).reversed()),
-        Place::Side(side, _) if side.of_a => Some(a.facing_normal(side.a).reversed()),
-        Place::Side(side, _) => Some(b.facing_normal(side.b)),
+        NearestPart::Inside => None,
+        NearestPart::Corner(corner) => Some(Axis::new(corner.at.x, corner.at.y).reversed()),
+        NearestPart::Side(side, _) if side.of_a => Some(a.facing_normal(side.a).reversed()),
+        NearestPart::Side(side, _) => Some(b.facing_normal(side.b)),
     }
 }
 

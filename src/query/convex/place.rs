@@ -6,7 +6,7 @@ use crate::num::{div_sqrt, isqrt64, less128, mul64, sqr64, usqr};
 
 /// The part of the sum's border that is nearest to the origin, the radii left aside.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Place {
+pub(super) enum NearestPart {
     /// Inside; not on the border.
     Inside,
     /// Before a side, or on it: at this distance times the side's length.
@@ -15,7 +15,7 @@ pub(super) enum Place {
     Corner(Corner),
 }
 
-impl Place {
+impl NearestPart {
     pub(super) fn of(a: Core<'_>, b: Core<'_>) -> Self {
         let mut walk = SideWalk::new(a, b);
         let start = walk.corner();
@@ -81,14 +81,14 @@ impl NearestCorner {
     }
 
     /// The origin is before a side, at this height: the place if it is beside it.
-    pub(super) fn add(&mut self, side: &PolygonSide, height: u64, end: (usize, usize)) -> Option<Place> {
+    pub(super) fn add(&mut self, side: &PolygonSide, height: u64, end: (usize, usize)) -> Option<NearestPart> {
         let along = side.along();
         let corner = if along < 0 {
             Corner { at: side.from, a: side.a, b: side.b }
         } else if along as u64 > side.len2() {
             Corner { at: side.from.add(side.edge), a: end.0, b: end.1 }
         } else {
-            return Some(Place::Side(*side, height));
+            return Some(NearestPart::Side(*side, height));
         };
         let square = corner.at.len2();
         if self.0.is_none_or(|(least, _)| square < least) {
@@ -97,8 +97,8 @@ impl NearestCorner {
         None
     }
 
-    pub(super) fn place(self) -> Place {
-        self.0.map_or(Place::Inside, |(_, corner)| Place::Corner(corner))
+    pub(super) fn place(self) -> NearestPart {
+        self.0.map_or(NearestPart::Inside, |(_, corner)| NearestPart::Corner(corner))
     }
 }
 

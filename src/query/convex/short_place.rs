@@ -2,13 +2,14 @@
 //! and capsules.
 
 use super::boxes::{self, Parallelogram};
-use super::place::{NearestCorner, Place};
+use super::place::{NearestCorner, NearestPart};
 use super::two_segments::TwoSegments;
 use super::walk::{Core, PolygonSide};
 use crate::num::{Raw, SPLIT};
 
-/// [`Place::of`], which takes half of the instructions for two segments, and a third for a point.
-pub(super) fn short_place_of(a: Core<'_>, b: Core<'_>) -> Place {
+/// [`NearestPart::of`], which takes half of the instructions for two segments, and a third for a
+/// point.
+pub(super) fn short_place_of(a: Core<'_>, b: Core<'_>) -> NearestPart {
     let place = match (a.corners.len(), b.corners.len()) {
         (2, 2) => TwoSegments::of(ends(a), ends(b)).and_then(|both| both.place()),
         (2.., 1) => of_point(a, b, true),
@@ -16,10 +17,10 @@ pub(super) fn short_place_of(a: Core<'_>, b: Core<'_>) -> Place {
         (4, 4) => of_boxes(a, b),
         _ => None,
     };
-    place.unwrap_or_else(|| Place::of(a, b))
+    place.unwrap_or_else(|| NearestPart::of(a, b))
 }
 
-fn of_boxes(a: Core<'_>, b: Core<'_>) -> Option<Place> {
+fn of_boxes(a: Core<'_>, b: Core<'_>) -> Option<NearestPart> {
     boxes::place(&Parallelogram::of(a)?, &Parallelogram::of(b)?)
 }
 
@@ -29,12 +30,12 @@ fn ends(segment: Core<'_>) -> [Raw; 2] {
 
 /// The same, for what levels and solids ask too: where a product is a call, these do without. They
 /// would gain 2 %, for 1 000 bytes in a game with planks.
-pub(super) fn place_of(a: Core<'_>, b: Core<'_>) -> Place {
-    if SPLIT { Place::of(a, b) } else { short_place_of(a, b) }
+pub(super) fn place_of(a: Core<'_>, b: Core<'_>) -> NearestPart {
+    if SPLIT { NearestPart::of(a, b) } else { short_place_of(a, b) }
 }
 
 /// Of a polygon or a segment and a point, without a walk. None where the point is on the border.
-fn of_point(polygon: Core<'_>, point: Core<'_>, of_a: bool) -> Option<Place> {
+fn of_point(polygon: Core<'_>, point: Core<'_>, of_a: bool) -> Option<NearestPart> {
     let (mut nearest, at) = (NearestCorner::none(), point.corner(0));
     let mut begin = polygon.before(0);
     let mut from = polygon.corner(begin);

@@ -17,12 +17,12 @@ const CORNERS: usize = 8;
 const OFF: i32 = (1 << 16) + 2;
 
 /// The corners of a polygon, seen from near, with 13 bits and a sign.
-struct Short {
+struct ShortPolygon {
     corners: [Raw; CORNERS],
     count: usize,
 }
 
-impl Short {
+impl ShortPolygon {
     fn of(core: Core<'_>, at: Raw, shift: u32) -> Self {
         let mut corners = [Raw::ZERO; CORNERS];
         for (seen, p) in corners.iter_mut().zip(core.corners) {
@@ -64,7 +64,7 @@ pub(super) fn shortly(a: Core<'_>, b: Core<'_>, (p, q): &(Aabb, Aabb)) -> Option
     let at = p.lo();
     let far = [p.hi(), q.lo(), q.hi()].iter().fold(0, |bits, p| bits | spread(p.sub(at)));
     let shift = shift_to(13, far);
-    let (a, b) = (Short::of(a, at, shift), Short::of(b, at, shift));
+    let (a, b) = (ShortPolygon::of(a, at, shift), ShortPolygon::of(b, at, shift));
     match a.is_reached_by(&b) {
         Some(true) => b.is_reached_by(&a),
         Some(false) => Some(false),

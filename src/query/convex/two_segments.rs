@@ -1,6 +1,6 @@
 //! Two segments that are not parallel, without a walk around their sum.
 
-use super::place::{NearestCorner, Place};
+use super::place::{NearestCorner, NearestPart};
 use super::walk::PolygonSide;
 use crate::num::{Raw, usqr};
 use crate::query::meet::{Offset, is_within, near_line};
@@ -55,7 +55,7 @@ impl TwoSegments {
     /// Where the origin is relative to their sum. None where an end is on the line of the other
     /// one.
     #[inline(always)]
-    pub(super) fn place(&self) -> Option<Place> {
+    pub(super) fn place(&self) -> Option<NearestPart> {
         if self.over_a.0 == 0 || self.over_a.1 == 0 || self.over_b.0 == 0 || self.over_b.1 == 0 {
             return None;
         }

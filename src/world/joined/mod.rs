@@ -8,7 +8,7 @@ use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64};
 use crate::shape::{Aabb, Circle};
 use crate::world::convex::ConvexBody;
-use crate::world::ray::scan::{Found, RayScan, RayWorld};
+use crate::world::ray::scan::{RayScan, RayWorld, ScanHit};
 use core::cmp::Ordering;
 use hidden::{Beside, hides, shown};
 
@@ -224,7 +224,7 @@ impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
         let rules = rules.into();
         let (o, d) = checked(origin, motion)?;
         let (a, b) = (self.first().scan(origin, motion, rules)?, self.second().scan(origin, motion, rules)?);
-        Ok(JoinedRayHits { pair: *self, o, d, a: Ahead::new(a), b: Ahead::new(b) })
+        Ok(JoinedRayHits { pair: *self, o, d, a: OneAhead::new(a), b: OneAhead::new(b) })
     }
 }
 
@@ -274,18 +274,18 @@ pub struct JoinedRayHits<'w, A: RayWorld, B: RayWorld> {
     pub(crate) pair: Joined<'w, A, B>,
     o: Raw,
     d: Raw,
-    a: Ahead<A::Scan<'w>>,
-    b: Ahead<B::Scan<'w>>,
+    a: OneAhead<A::Scan<'w>>,
+    b: OneAhead<B::Scan<'w>>,
 }
 
 /// The hits of one level, one ahead.
 #[derive(Debug)]
-struct Ahead<S> {
+struct OneAhead<S> {
     scan: S,
-    next: Option<Found>,
+    next: Option<ScanHit>,
 }
 
-impl<S: RayScan> Ahead<S> {
+impl<S: RayScan> OneAhead<S> {
     fn new(scan: S) -> Self {
         Self { scan, next: None }
     }
@@ -302,7 +302,7 @@ impl<S: RayScan> Ahead<S> {
 }
 
 impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
-    fn next_found(&mut self) -> Option<Found> {
+    fn next_found(&mut self) -> Option<ScanHit> {
         self.a.fill::<Joined<'_, A, B>>(self.o, self.d, self.pair.second());
         self.b.fill::<Joined<'_, A, B>>(self.o, self.d, self.pair.first());
         let order = match (&self.a.next, &self.b.next) {
@@ -311,7 +311,7 @@ impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
             (_, None) => Ordering::Less,
         };
         let (from_a, from_b) = (self.a.next, self.b.next);
-        let met = |f: Option<Found>| f.and_then(|f| f.met);
+        let met = |f: Option<ScanHit>| f.and_then(|f| f.met);
         let ranks = |(b, a): (Met, Met)| b.touch.ranks_above(&b.feature, &a, self.d);
         // One hit per moment.
         let second = order.is_gt() || (order.is_eq() && met(from_b).zip(met(from_a)).is_some_and(ranks));
@@ -322,7 +322,7 @@ impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
         if order.is_ge() {
             self.b.next = None;
         }
-        found.map(|f| Found { hit: RayHit { source: f.hit.source << 1 | source, ..f.hit }, ..f })
+        found.map(|f| ScanHit { hit: RayHit { source: f.hit.source << 1 | source, ..f.hit }, ..f })
     }
 }
 
@@ -336,7 +336,7 @@ impl<A: RayWorld, B: RayWorld> Iterator for JoinedRayHits<'_, A, B> {
 
 /// Which is first: starts inside, then by the exact moments. A hit within an arc has none, and is
 /// compared by its `toi`, after a straight one.
-fn order(a: &Found, b: &Found) -> Ordering {
+fn order(a: &ScanHit, b: &ScanHit) -> Ordering {
     let (Some(met_a), Some(met_b)) = (a.met, b.met) else { return a.met.is_some().cmp(&b.met.is_some()) };
     match (met_a.touch.time, met_b.touch.time) {
         (Some(s), Some(t)) if before(s, t) => Ordering::Less,

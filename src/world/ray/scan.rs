@@ -1,6 +1,6 @@
 //! The hits of a ray in order: one engine for every kind of level.
 
-use super::walk::{Axes, Beyond, Walk, along};
+use super::walk::{Axes, Beyond, RayWalk, along};
 use super::{Met, RayHit, RayPieces, RayRules, Time, Touch, arc_contact, checked, meet};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, mul_div, mul_div_wide, umul};
@@ -25,7 +25,7 @@ pub trait RayWorld: World {
 /// See [`RayWorld`].
 pub trait RayScan {
     /// The next hit.
-    fn next_found(&mut self) -> Option<Found>;
+    fn next_found(&mut self) -> Option<ScanHit>;
 }
 
 /// A level whose surface is found cell by cell, bands included as [`beyond`](Self::beyond) says.
@@ -40,14 +40,14 @@ pub(in crate::world) trait RayLevel: RayPieces {
     fn beyond(&self) -> Beyond;
 
     /// The start of a ray.
-    fn walk(&self, o: Raw, d: Raw) -> Walk {
+    fn walk(&self, o: Raw, d: Raw) -> RayWalk {
         let grid = self.grid();
-        Walk::new(grid.ray_lane(&grid.x, o.x, d.x), grid.ray_lane(&grid.y, o.y, d.y), grid.cell as u32)
+        RayWalk::new(grid.ray_lane(&grid.x, o.x, d.x), grid.ray_lane(&grid.y, o.y, d.y), grid.cell as u32)
     }
 
     /// Continues from an examined step over cells without pieces, as far as that is faster than
     /// single steps.
-    fn skip(&self, _: &mut Walk) {}
+    fn skip(&self, _: &mut RayWalk) {}
 
     /// All pieces that have a point in the closed cell. Where each piece has one cell, those of
     /// this one. Those that the motion `d` does not oppose may be missing. `None` where there are
@@ -55,10 +55,10 @@ pub(in crate::world) trait RayLevel: RayPieces {
     fn pieces(&self, x: i32, y: i32, d: Raw) -> Option<Self::Pieces<'_>>;
 
     /// Whether the start of a walk is strictly inside the solid.
-    fn holds_start(&self, o: Raw, walk: &Walk) -> bool;
+    fn holds_start(&self, o: Raw, walk: &RayWalk) -> bool;
 
     /// Whether a ray that starts on the border of the solid is strictly inside just after.
-    fn enters(&self, o: Raw, d: Raw, walk: &Walk) -> bool;
+    fn enters(&self, o: Raw, d: Raw, walk: &RayWalk) -> bool;
 
     /// The user's flags of the solid in a cell.
     fn flags(&self, x: i32, y: i32) -> u8;
@@ -71,7 +71,7 @@ pub(in crate::world) struct Scan<'w, L> {
     o: Raw,
     d: Raw,
     rules: RayRules,
-    walk: Walk,
+    walk: RayWalk,
     /// The best hit so far, later than `after`.
     best: Option<Met>,
     /// Whether the scan has already reported it.
@@ -83,7 +83,7 @@ pub(in crate::world) struct Scan<'w, L> {
 
 /// A hit, and the piece that was met; none for a start inside.
 #[derive(Clone, Copy, Debug)]
-pub struct Found {
+pub struct ScanHit {
     pub(in crate::world) hit: RayHit,
     pub(in crate::world) met: Option<Met>,
 }
@@ -130,8 +130,8 @@ impl<'w, L: RayLevel> Scan<'w, L> {
     }
 
     /// The next hit, with the feature that it met.
-    pub(in crate::world) fn find(&mut self) -> Option<Found> {
-        self.advance().map(|hit| Found { hit, met: self.best })
+    pub(in crate::world) fn find(&mut self) -> Option<ScanHit> {
+        self.advance().map(|hit| ScanHit { hit, met: self.best })
     }
 
     /// The next hit.
@@ -338,7 +338,7 @@ fn signed<L: RayPieces>(d: i32, normal: i32, time: Time) -> i32 {
 ///   .......solid.........
 /// ```
 #[inline(never)]
-fn cusp<L: RayLevel>(level: &L, o: Raw, d: Raw, walk: &Walk) -> Option<Met> {
+fn cusp<L: RayLevel>(level: &L, o: Raw, d: Raw, walk: &RayWalk) -> Option<Met> {
     let cell = level.grid().cell as u32;
     if along(&walk.x, &walk.y, cell) == 0 {
         return None;

@@ -6,7 +6,7 @@ mod walk {
 
     use crate::num::{Fx, Vec2};
     use crate::world::grid::GridAxis;
-    use crate::world::ray::walk::{Beyond, Walk};
+    use crate::world::ray::walk::{Beyond, RayWalk};
     use crate::world::{Cell, Grid};
     use std::vec::Vec;
 
@@ -59,7 +59,7 @@ mod walk {
         let outer = i32::from(beyond != Beyond::Merged);
         let side = |span, o, d| grid.lane_with(span, o, d, |before, last| if before { -outer } else { last + outer });
         let cell = grid.cell as u32;
-        let mut walk = Walk::new(side(&grid.x, o[0], d[0]), side(&grid.y, o[1], d[1]), cell);
+        let mut walk = RayWalk::new(side(&grid.x, o[0], d[0]), side(&grid.y, o[1], d[1]), cell);
         let mut steps = Vec::new();
         loop {
             let known = |v: i32, count: u16| {

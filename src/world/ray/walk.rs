@@ -156,7 +156,7 @@ fn leads_on(side: &Lane, count: u16, beyond: Beyond) -> bool {
 /// The cells of a step (`c`, and `b` at a corner) are those in which the ray has a point from now
 /// on and had none before. At the start that includes those behind a line on which it starts.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::world) struct Walk {
+pub(in crate::world) struct RayWalk {
     pub(in crate::world) x: Lane,
     pub(in crate::world) y: Lane,
     /// Cells entered, the first and the last included.
@@ -167,7 +167,7 @@ pub(in crate::world) struct Walk {
     back: bool,
 }
 
-impl Walk {
+impl RayWalk {
     pub(in crate::world) fn new(x: Lane, y: Lane, cell: u32) -> Self {
         let (columns, rows) = (if x.on_line(cell) { X } else { 0 }, if y.on_line(cell) { Y } else { 0 });
         Self { x, y, cells: 1, wide: columns | rows, back: true }

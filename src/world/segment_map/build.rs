@@ -1,6 +1,6 @@
 //! From paths to bytes: segments counted, then written, with their references and joints.
 
-use super::cancel::{Block, EdgeIndex, Shared, left_from};
+use super::cancel::{EdgeBlock, EdgeIndex, Shared, left_from};
 use super::join::join;
 use super::parse::{Tables, clamped};
 use super::path::{PathEdge, edges, point, reversed};
@@ -262,7 +262,7 @@ impl Sink<'_> {
     /// only the rest.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
-        let (mut i, mut block) = (0, Block::EMPTY);
+        let (mut i, mut block) = (0, EdgeBlock::EMPTY);
         while i < paths.len() {
             let path = &paths[i];
             let (against, count) = (reversed(path), edges(path));

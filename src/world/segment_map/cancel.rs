@@ -135,7 +135,7 @@ impl Bounds {
 ///     . A . B B .      edge is compared with are one word: those of its columns, and those of its rows.
 ///     . . . . B .
 /// ```
-pub(super) struct Block {
+pub(super) struct EdgeBlock {
     edges: [EdgeIndex; BLOCK],
     count: usize,
     around: Bounds,
@@ -150,7 +150,7 @@ pub(super) struct Block {
     asked: usize,
 }
 
-impl Block {
+impl EdgeBlock {
     /// No edge. The first one that is asked for is the first one of all.
     pub(super) const EMPTY: Self = Self {
         edges: [EdgeIndex { path: 0, point: 0 }; BLOCK],

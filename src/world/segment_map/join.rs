@@ -38,7 +38,13 @@ pub(super) const fn join(size: &Size, out: &mut [u8]) {
 
 /// Writes the joints of a segment at those of its ends that its cell holds. Each end is in one
 /// cell.
-const fn write(segments: &mut [u8], place: usize, is_one_way: bool, start: Option<Turn>, end: Option<Turn>) {
+const fn write(
+    segments: &mut [u8],
+    place: usize,
+    is_one_way: bool,
+    start: Option<SegmentRay>,
+    end: Option<SegmentRay>,
+) {
     let mut attr = half(segments, place.wrapping_add(ATTR_AT)) as u8;
     if let Some(ray) = start {
         let joined = if is_one_way { goes_on(&ray) } else { ray.sector < MORE || ray.index.is_none() };
@@ -151,7 +157,7 @@ impl<'a> Crowd<'a> {
 
 /// A ray from a point where segments meet.
 #[derive(Clone, Copy, Debug)]
-struct Turn {
+struct SegmentRay {
     dir: Axis,
     sector: Sector,
     /// The first segment on it in the required direction.
@@ -187,10 +193,10 @@ impl SegmentMap<'_> {
     /// The free side of a direction is on its right, where y grows up: from the end one turns left
     /// there, from the start right. Segments that block from one side only are not part of the
     /// solid: only their own kind sees them.
-    const fn turn(&self, crowd: &Crowd<'_>, itself: u16, seg: &Seg, at_end: bool) -> Turn {
+    const fn turn(&self, crowd: &Crowd<'_>, itself: u16, seg: &Seg, at_end: bool) -> SegmentRay {
         let (p, base) = if at_end { (seg.b(), seg.dir.reversed()) } else { (seg.a, seg.dir) };
         let one_way = matches!(seg.kind, Kind::OneWay);
-        let mut best = Turn { dir: base, sector: WHOLE, index: None, one_way: false };
+        let mut best = SegmentRay { dir: base, sector: WHOLE, index: None, one_way: false };
         let (mut refs, mut n, at) = (Refs { left: crowd.refs }, 0, crowd.square(p));
         while let Some(index) = refs.advance() {
             let may_hold = crowd.may_hold(n, at);
@@ -221,14 +227,14 @@ impl SegmentMap<'_> {
 
 /// For a one-way face: whether the next one also blocks a body on the face. Its own kind does, even
 /// around a corner.
-const fn goes_on(ray: &Turn) -> bool {
+const fn goes_on(ray: &SegmentRay) -> bool {
     ray.sector <= HALF || ray.sector == MORE && ray.one_way
 }
 
 /// The ray that comes first, of two. Rays of one direction are one.
-const fn nearer(base: Axis, left: bool, best: Turn, dir: Axis, index: Option<u16>, one_way: bool) -> Turn {
+const fn nearer(base: Axis, left: bool, best: SegmentRay, dir: Axis, index: Option<u16>, one_way: bool) -> SegmentRay {
     let sector = sector(base, dir, left);
-    let ray = Turn { dir, sector, index, one_way };
+    let ray = SegmentRay { dir, sector, index, one_way };
     if sector != best.sector {
         return if sector < best.sector { ray } else { best };
     }
@@ -238,7 +244,7 @@ const fn nearer(base: Axis, left: bool, best: Turn, dir: Axis, index: Option<u16
     }
     if turn == 0 {
         let index = if best.index.is_some() { best.index } else { index };
-        return Turn { index, one_way: best.one_way || one_way, ..best };
+        return SegmentRay { index, one_way: best.one_way || one_way, ..best };
     }
     best
 }

@@ -7,8 +7,8 @@ use crate::num::{Raw, Vec2};
 use crate::world::cell::Cell;
 use crate::world::grid::Grid;
 use crate::world::level::Feature;
-use crate::world::ray::scan::{Found, RayLevel, RayScan, RayWorld, Scan};
-use crate::world::ray::walk::{Beyond, Walk};
+use crate::world::ray::scan::{RayLevel, RayScan, RayWorld, Scan, ScanHit};
+use crate::world::ray::walk::{Beyond, RayWalk};
 use crate::world::ray::{RayHit, RayPieces, RayRules, rays};
 
 impl<'a> SegmentMap<'a> {
@@ -88,7 +88,7 @@ impl Iterator for SegmentRayHits<'_, '_> {
 }
 
 impl SegmentRayHits<'_, '_> {
-    pub(in crate::world) fn find(&mut self) -> Option<Found> {
+    pub(in crate::world) fn find(&mut self) -> Option<ScanHit> {
         let mut found = self.scan.find()?;
         if found.met.is_some() {
             found.hit.cell = self.map.home(found.hit.index);
@@ -120,12 +120,12 @@ impl RayLevel for SegmentMap<'_> {
         Some(CellFaces { map: self, refs: self.refs(x, y), cell: Cell::of(x, y) })
     }
 
-    fn holds_start(&self, o: Raw, _: &Walk) -> bool {
+    fn holds_start(&self, o: Raw, _: &RayWalk) -> bool {
         self.point_inside(o)
     }
 
     /// Walls have no inside, but what crosses one is stopped.
-    fn enters(&self, o: Raw, d: Raw, _: &Walk) -> bool {
+    fn enters(&self, o: Raw, d: Raw, _: &RayWalk) -> bool {
         let crosses =
             |seg: &Seg| seg.kind == Kind::Wall && seg.holds(o) && Raw { x: seg.dir.x, y: seg.dir.y }.cross(d) != 0;
         self.around(o).any(|seg| crosses(&seg)) || self.goes_in(o, d)
@@ -167,7 +167,7 @@ impl<'a> RayWorld for SegmentMap<'a> {
 }
 
 impl RayScan for SegmentRayHits<'_, '_> {
-    fn next_found(&mut self) -> Option<Found> {
+    fn next_found(&mut self) -> Option<ScanHit> {
         SegmentRayHits::find(self)
     }
 }

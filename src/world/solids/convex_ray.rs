@@ -14,7 +14,7 @@ use crate::query::{Core, meet as boxes, meets};
 use crate::shape::Aabb;
 use crate::world::level::{Geometry, precedes};
 use crate::world::measure::product;
-use crate::world::ray::scan::{Found, RayScan, RayWorld, hit_at};
+use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_at};
 use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
 use core::cmp::Ordering;
 
@@ -113,14 +113,14 @@ impl<S: SolidShape> Iterator for ConvexRayHits<'_, S> {
 }
 
 impl<S: SolidShape> RayScan for ConvexRayHits<'_, S> {
-    fn next_found(&mut self) -> Option<Found> {
+    fn next_found(&mut self) -> Option<ScanHit> {
         self.looks = self.looks.saturating_add(self.all.list().len() as u32);
         if !self.started {
             self.started = true;
             let inside = if matches!(self.inside, Inside::Hit) { self.holder() } else { None };
             if let Some(solid) = inside {
                 let hit = start_inside(self.o, self.d, (solid.cell(), solid.flags()), self.looks);
-                return Some(Found { hit, met: None });
+                return Some(ScanHit { hit, met: None });
             }
         }
         let square = self.d.len2();
@@ -137,7 +137,7 @@ impl<S: SolidShape> RayScan for ConvexRayHits<'_, S> {
         }
         let (met, moment) = best?;
         self.after = Some(moment);
-        Some(Found { hit: hit_at::<ConvexSolids<'_, S>>(self.o, self.d, &met, self.looks), met: Some(met) })
+        Some(ScanHit { hit: hit_at::<ConvexSolids<'_, S>>(self.o, self.d, &met, self.looks), met: Some(met) })
     }
 }
 

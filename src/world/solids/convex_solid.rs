@@ -68,22 +68,22 @@ macro_rules! solid_shapes {
 }
 
 solid_shapes! {
-    [] Aabb, "Aabb", false, Outline::of_box,
+    [] Aabb, "Aabb", false, BorderKind::of_box,
         "Aabb::from_size(Vec2::ZERO, Vec2::from_ints(30, 8))" => "it";
-    [] Circle, "Circle", true, Outline::of_circle,
+    [] Circle, "Circle", true, BorderKind::of_circle,
         "Circle::new(Vec2::from_ints(30, 8), fx!(4))" => "it";
-    [] Capsule, "Capsule", true, Outline::of_capsule,
+    [] Capsule, "Capsule", true, BorderKind::of_capsule,
         "Capsule::new(Vec2::ZERO, Vec2::from_ints(30, 0), fx!(4))" => "it";
-    [] OrientedBox, "OrientedBox", false, Outline::of_turned_box,
+    [] OrientedBox, "OrientedBox", false, BorderKind::of_turned_box,
         "OrientedBox::new(Vec2::ZERO, Vec2::from_ints(30, 4), Axis::new(9, 1))" => "it";
-    [const N: usize] ConvexPolygon<N>, "ConvexPolygon<3>", false, Outline::of_polygon,
+    [const N: usize] ConvexPolygon<N>, "ConvexPolygon<3>", false, BorderKind::of_polygon,
         "ConvexPolygon::new(&[Vec2::ZERO, Vec2::from_ints(30, 0), Vec2::from_ints(30, 9)])" => "it";
-    [const N: usize] AnyShape<N>, "shape::AnyShape<4>", true, Outline::of_any,
+    [const N: usize] AnyShape<N>, "shape::AnyShape<4>", true, BorderKind::of_any,
         "Circle::new(Vec2::from_ints(30, 8), fx!(4))" => "shape::AnyShape::Circle(it)";
 }
 
 /// What decides whether a shape may be solid.
-struct Outline {
+struct BorderKind {
     radius: i32,
     /// Less than three corners.
     is_flat: bool,
@@ -95,7 +95,7 @@ const fn is_slanted(side: Raw) -> bool {
     side.x != 0 && side.y != 0
 }
 
-impl Outline {
+impl BorderKind {
     const fn of_box(it: &Aabb) -> Self {
         let size = it.hi().sub(it.lo());
         Self { radius: 0, is_flat: size.x == 0 || size.y == 0, is_slanted: false }

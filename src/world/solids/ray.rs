@@ -10,7 +10,7 @@ use super::solid::Solid;
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, imul};
 use crate::world::cell::Cell;
-use crate::world::ray::scan::{Found, RayScan, RayWorld, hit_of, straight};
+use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_of, straight};
 use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
 
 impl RayPieces for Solids<'_> {
@@ -98,13 +98,13 @@ impl Iterator for SolidRayHits<'_> {
 }
 
 impl SolidRayHits<'_> {
-    pub(in crate::world) fn find(&mut self) -> Option<Found> {
+    pub(in crate::world) fn find(&mut self) -> Option<ScanHit> {
         self.cells = self.cells.saturating_add(self.all.list().len() as u32);
         if !self.started {
             self.started = true;
             let inside = if matches!(self.rules.inside, Inside::Hit) { self.at_start() } else { None };
             if let Some(hit) = inside {
-                return Some(Found { hit, met: None });
+                return Some(ScanHit { hit, met: None });
             }
         }
         let goes_in = self.goes_in();
@@ -134,7 +134,7 @@ impl SolidRayHits<'_> {
         let (met, time) = best?;
         self.after = Some(time);
         let (toi, by, axis) = straight::<Solids<'_>>(self.d, time, met.touch.normal);
-        Some(Found { hit: hit_of(&met.feature, (toi, self.o.add(by), axis), self.cells), met: Some(met) })
+        Some(ScanHit { hit: hit_of(&met.feature, (toi, self.o.add(by), axis), self.cells), met: Some(met) })
     }
 
     /// Whether the ray is strictly inside just after its start: in all the quadrants that it is
@@ -224,7 +224,7 @@ impl RayWorld for Solids<'_> {
 }
 
 impl RayScan for SolidRayHits<'_> {
-    fn next_found(&mut self) -> Option<Found> {
+    fn next_found(&mut self) -> Option<ScanHit> {
         self.find()
     }
 }

@@ -5,7 +5,7 @@ use super::solid::{Side, Solid};
 use crate::error::RangeError;
 use crate::num::Vec2;
 use crate::shape::Aabb;
-use crate::stored::{Form, Version, stored};
+use crate::stored::{StoredForm, Version, stored};
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
@@ -19,7 +19,7 @@ struct Machine {
     one_way: Option<Side>,
 }
 
-impl Form<Solid> for Machine {
+impl StoredForm<Solid> for Machine {
     type Fault = RangeError;
 
     fn of(solid: &Solid) -> Self {
@@ -50,31 +50,31 @@ stored!(Solid as Machine);
 struct ConvexMachine<S> {
     version: Version,
     shape: S,
-    change: Change<S>,
+    change: NextShape<S>,
     key: u16,
     flags: u8,
 }
 
 /// How it gets to its next shape.
 #[derive(Serialize, Deserialize)]
-enum Change<S> {
+enum NextShape<S> {
     Moves(Vec2),
     Turns(S),
 }
 
-impl<S: SolidShape> Form<ConvexSolid<S>> for ConvexMachine<S> {
+impl<S: SolidShape> StoredForm<ConvexSolid<S>> for ConvexMachine<S> {
     type Fault = RangeError;
 
     fn of(solid: &ConvexSolid<S>) -> Self {
-        let change = solid.motion().map_or_else(|| Change::Turns(solid.next()), Change::Moves);
+        let change = solid.motion().map_or_else(|| NextShape::Turns(solid.next()), NextShape::Moves);
         Self { version: Version, shape: solid.shape(), change, key: solid.key(), flags: solid.flags() }
     }
 
     fn check(self) -> Result<ConvexSolid<S>, RangeError> {
         let solid = ConvexSolid::new(self.shape, self.key)?.with_flags(self.flags);
         match self.change {
-            Change::Moves(motion) => solid.with_motion(motion),
-            Change::Turns(next) => solid.with_turn(next),
+            NextShape::Moves(motion) => solid.with_motion(motion),
+            NextShape::Turns(next) => solid.with_turn(next),
         }
     }
 }

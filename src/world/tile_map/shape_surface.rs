@@ -26,7 +26,7 @@ struct Tile {
     kind: TileKind,
     outline: &'static Outline,
     cell: Cell,
-    lines: Lines,
+    lines: NodeLines,
     /// The halves of sides that are faces, as the edges of an outline.
     faces: u8,
     /// The shapes across each side.
@@ -38,12 +38,12 @@ const INNER: u8 = 8;
 /// The coordinates of a cell's nodes: of its sides and of the middle, by the halves of the cell
 /// before them. The fourth one only fills the table.
 #[derive(Clone, Copy, Debug)]
-struct Lines {
+struct NodeLines {
     x: [i32; 4],
     y: [i32; 4],
 }
 
-impl Lines {
+impl NodeLines {
     const fn of((lo, hi): (Raw, Raw)) -> Self {
         let (x, y) = (along(lo.x, hi.x, 1), along(lo.y, hi.y, 1));
         Self { x: [lo.x, x, hi.x, hi.x], y: [lo.y, y, hi.y, hi.y] }
@@ -105,7 +105,7 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
         let corners = map.corners(walk);
         self.left &= reached(corners, look.region);
         (self.index, self.outs) = (0, 0);
-        self.tile = Some(Tile { kind, outline, cell: Cell::of(x, y), lines: Lines::of(corners), faces, beside });
+        self.tile = Some(Tile { kind, outline, cell: Cell::of(x, y), lines: NodeLines::of(corners), faces, beside });
     }
 
     #[inline]

@@ -135,15 +135,15 @@ pub struct BlockSurface {
     cell: Cell,
     solid: (Raw, Raw),
     flags: u8,
-    all: Pieces,
-    left: Pieces,
+    all: PieceBits,
+    left: PieceBits,
 }
 
 /// Bits 0..=3: faces by index; 4..=7: vertices; 8: a one-way tile, of whose face the bits of the
 /// vertices at its ends mean that it is not joined there.
-type Pieces = u16;
+type PieceBits = u16;
 
-const ONE_WAY: Pieces = 1 << 8;
+const ONE_WAY: PieceBits = 1 << 8;
 
 /// Face k runs from corner k to corner k + 1: corners are counted from the one nearest the origin,
 /// turning with the faces.
@@ -207,8 +207,8 @@ impl BlockSurface {
             return;
         }
         // The next side is turned by a right angle.
-        let end = !goes_on(map, x.wrapping_sub(dy), y.wrapping_add(dx), side) as Pieces;
-        let start = !goes_on(map, x.wrapping_add(dy), y.wrapping_sub(dx), side) as Pieces;
+        let end = !goes_on(map, x.wrapping_sub(dy), y.wrapping_add(dx), side) as PieceBits;
+        let start = !goes_on(map, x.wrapping_add(dy), y.wrapping_sub(dx), side) as PieceBits;
         self.all = ONE_WAY | 1 << side | end << (4 + side) | start << (4 + (side.wrapping_sub(1) & 3));
         // Across its line a one-way edge is not repeated: the band's corners are not its own.
         let (band, (lo, hi)) = (map.extent(x, y), map.cell_corners(x, y));
@@ -221,11 +221,11 @@ impl BlockSurface {
         // If the region is beyond a repeated border, the line can be on either side of it.
         let ((lo, hi), region) = (self.solid, look.region);
         let met = lo.x <= region.1.x && hi.x >= region.0.x && lo.y <= region.1.y && hi.y >= region.0.y;
-        self.left = ((met && look.opposes(direction(side))) as Pieces) << side;
+        self.left = ((met && look.opposes(direction(side))) as PieceBits) << side;
     }
 
     /// The requested indices, if they exist.
-    fn asked(&self, look: &CellQuery) -> Pieces {
+    fn asked(&self, look: &CellQuery) -> PieceBits {
         let (d, reached) = (look.d, self.reached(look.region));
         if d.is_zero() {
             return reached;
@@ -237,19 +237,21 @@ impl BlockSurface {
         let right = d.x < 0 && hi.x <= from.x.wrapping_sub(d.x).wrapping_add(1);
         let down = d.y < 0 && hi.y <= from.y.wrapping_sub(d.y).wrapping_add(1);
         let left = d.x > 0 && lo.x >= to.x.wrapping_sub(d.x).wrapping_sub(1);
-        let faces = up as Pieces | (right as Pieces) << 1 | (down as Pieces) << 2 | (left as Pieces) << 3;
+        let faces = up as PieceBits | (right as PieceBits) << 1 | (down as PieceBits) << 2 | (left as PieceBits) << 3;
         if look.joints {
             // A body that meets the joints of faces meets no corners.
             return faces & reached;
         }
         // Only a body that moves toward one of its faces meets a corner.
-        let toward =
-            (d.y > 0) as Pieces | ((d.x < 0) as Pieces) << 1 | ((d.y < 0) as Pieces) << 2 | ((d.x > 0) as Pieces) << 3;
+        let toward = (d.y > 0) as PieceBits
+            | ((d.x < 0) as PieceBits) << 1
+            | ((d.y < 0) as PieceBits) << 2
+            | ((d.x > 0) as PieceBits) << 3;
         (faces | (toward | toward >> 1 | toward << 3) << 4) & reached
     }
 
     /// The indices whose place is in the region; that the cell is is known.
-    fn reached(&self, region: (Raw, Raw)) -> Pieces {
+    fn reached(&self, region: (Raw, Raw)) -> PieceBits {
         let (lo, hi) = self.solid;
         let mut out = 0;
         if lo.y < region.0.y {
@@ -296,11 +298,11 @@ const fn corner(lo: Raw, hi: Raw, k: u8) -> Raw {
 }
 
 /// The faces and vertices of a full cell.
-fn surface<M: TileSource>(map: &M, x: i32, y: i32) -> Pieces {
-    let up = !map.full(x, y.wrapping_sub(1)) as Pieces;
-    let right = !map.full(x.wrapping_add(1), y) as Pieces;
-    let down = !map.full(x, y.wrapping_add(1)) as Pieces;
-    let left = !map.full(x.wrapping_sub(1), y) as Pieces;
+fn surface<M: TileSource>(map: &M, x: i32, y: i32) -> PieceBits {
+    let up = !map.full(x, y.wrapping_sub(1)) as PieceBits;
+    let right = !map.full(x.wrapping_add(1), y) as PieceBits;
+    let down = !map.full(x, y.wrapping_add(1)) as PieceBits;
+    let left = !map.full(x.wrapping_sub(1), y) as PieceBits;
     let faces = up | right << 1 | down << 2 | left << 3;
     // Vertex k is where face k ends and the next one starts.
     faces | (faces & (faces >> 1 | faces << 3) & 0xf) << 4

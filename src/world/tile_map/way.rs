@@ -7,7 +7,7 @@ use crate::shape::Aabb;
 use crate::world::cell::{Block, Cells, Edge, Range, Way};
 
 /// One axis of a body and its motion.
-struct Side {
+struct AxisMotion {
     lo: i32,
     hi: i32,
     d: i32,
@@ -23,8 +23,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(in crate::world) const fn way(&self, bounds: &Aabb, r: i32, d: Raw) -> Way {
         let (m, lo, hi) = (Way::MARGIN, bounds.lo(), bounds.hi());
-        let x = Side { lo: lo.x.wrapping_sub(m), hi: hi.x.wrapping_add(m), d: d.x };
-        let y = Side { lo: lo.y.wrapping_sub(m), hi: hi.y.wrapping_add(m), d: d.y };
+        let x = AxisMotion { lo: lo.x.wrapping_sub(m), hi: hi.x.wrapping_add(m), d: d.x };
+        let y = AxisMotion { lo: lo.y.wrapping_sub(m), hi: hi.y.wrapping_add(m), d: d.y };
         let in_map = self.holds_way(&x, &y);
         let rows = d.y.unsigned_abs() > d.x.unsigned_abs();
         let (along, aside) = if rows { (y, x) } else { (x, y) };
@@ -52,7 +52,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    const fn holds_way(&self, x: &Side, y: &Side) -> bool {
+    const fn holds_way(&self, x: &AxisMotion, y: &AxisMotion) -> bool {
         let (x_axis, y_axis) = (&self.grid.x, &self.grid.y);
         let (x0, x1) = if x.d < 0 { (x.lo.wrapping_add(x.d), x.hi) } else { (x.lo, x.hi.wrapping_add(x.d)) };
         let (y0, y1) = if y.d < 0 { (y.lo.wrapping_add(y.d), y.hi) } else { (y.lo, y.hi.wrapping_add(y.d)) };
@@ -64,7 +64,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The cell of the trailing end.
     #[inline(never)]
-    const fn edge(&self, side: &Side, rows: bool) -> Edge {
+    const fn edge(&self, side: &AxisMotion, rows: bool) -> Edge {
         let axis = if rows { &self.grid.y } else { &self.grid.x };
         let forth = side.d >= 0;
         let at = if forth { side.lo } else { side.hi };

@@ -10,21 +10,21 @@ use crate::world::tile_map::{Outside, Set, Store, TileMap};
 
 /// The end of a walk: the axis of the line whose face was met, or one of the constants of this
 /// type, or both. 0 while it continues.
-pub(in crate::world) type Stop = u32;
+pub(in crate::world) type RayStop = u32;
 
 /// The motion ends without a face.
-pub(in crate::world) const END: Stop = 16;
+pub(in crate::world) const END: RayStop = 16;
 
 /// The start is inside: no face was met.
-pub(super) const INSIDE: Stop = 8;
+pub(super) const INSIDE: RayStop = 8;
 
 /// The cell of the face is not the current one, but the one before it on the other axis.
-const BESIDE: Stop = 4;
+const BESIDE: RayStop = 4;
 
 /// The result of [`TileMap::run`].
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct BlockRun {
-    pub(in crate::world) met: Stop,
+    pub(in crate::world) met: RayStop,
     /// The tile that was met.
     pub(in crate::world) id: u8,
     /// Lines crossed between columns and between rows.
@@ -286,7 +286,7 @@ const FACES: [u32; 2] = {
 
 /// The face that is met across one of these axes, x first.
 #[inline]
-const fn met(around: FourCells, over: Axes) -> Stop {
+const fn met(around: FourCells, over: Axes) -> RayStop {
     let (axis, beside) = if FACES[0] >> around & over & X != 0 {
         (X, OVER_Y)
     } else if FACES[1] >> around & over >> 1 != 0 {
@@ -314,7 +314,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// the cell is the one that the face belongs to.
     #[cold]
     #[inline(never)]
-    pub(in crate::world) fn detour(&self, w: &mut Detour, hits_inside: bool) -> Stop {
+    pub(in crate::world) fn detour(&self, w: &mut Detour, hits_inside: bool) -> RayStop {
         let mut met = 0;
         if let Some(run) = self.run_along::<false>(&w.x, &w.y) {
             let cell = self.grid.cell as u32;
@@ -337,7 +337,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// The hit at the start, where the cell ahead is full.
     #[inline]
-    fn depart(&self, w: &mut Detour, hits_inside: bool) -> Stop {
+    fn depart(&self, w: &mut Detour, hits_inside: bool) -> RayStop {
         let cell = self.grid.cell as u32;
         let (mut lines, mut motion) = (0, 0);
         if w.x.on_line(cell) {
@@ -377,7 +377,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
     /// One step of any kind: over a line, over both at once, across the map's border or beyond it.
     #[inline]
-    fn turn(&self, w: &mut Detour) -> Stop {
+    fn turn(&self, w: &mut Detour) -> RayStop {
         let over = self.grid.next_lines(&w.x, &w.y, self.outer());
         if over == 0 {
             return END;

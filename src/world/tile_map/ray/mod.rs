@@ -10,7 +10,7 @@ use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, fraction, umul};
 use crate::world::cell::Cell;
 use crate::world::level::face_against;
-use crate::world::ray::scan::{Found, RayScan, RayWorld, Scan};
+use crate::world::ray::scan::{RayScan, RayWorld, Scan, ScanHit};
 use crate::world::ray::walk::{X, Y};
 use crate::world::ray::{Inside, RayHit, RayRules, checked, in_domain, rays, refusal};
 use crate::world::tile_map::kind::TileKind;
@@ -266,7 +266,7 @@ impl<'a, S: Set, T: Store> RayWorld for TileMap<'a, S, T> {
 }
 
 impl<S: Set, T: Store> RayScan for RayHits<'_, '_, S, T> {
-    fn next_found(&mut self) -> Option<Found> {
+    fn next_found(&mut self) -> Option<ScanHit> {
         self.scan.find()
     }
 }

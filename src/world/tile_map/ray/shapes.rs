@@ -6,7 +6,7 @@ use crate::world::grid::Grid;
 use crate::world::level::{Feature, Geometry};
 use crate::world::ray::RayPieces;
 use crate::world::ray::scan::RayLevel;
-use crate::world::ray::walk::{Beyond, Walk, X, Y, along};
+use crate::world::ray::walk::{Beyond, RayWalk, X, Y, along};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 use crate::world::tile_map::outline::{Form, FormKind, InnerKind, direction, place};
 use crate::world::tile_map::shape_surface::{along as along_side, arc};
@@ -33,13 +33,13 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
         self.outer()
     }
 
-    fn walk(&self, o: Raw, d: Raw) -> Walk {
+    fn walk(&self, o: Raw, d: Raw) -> RayWalk {
         let (x, y) = (self.lane(&self.grid.x, o.x, d.x), self.lane(&self.grid.y, o.y, d.y));
-        Walk::new(x, y, self.grid.cell as u32)
+        RayWalk::new(x, y, self.grid.cell as u32)
     }
 
     #[inline(never)]
-    fn skip(&self, walk: &mut Walk) {
+    fn skip(&self, walk: &mut RayWalk) {
         let cell = self.grid.cell as u32;
         let run = if along(&walk.x, &walk.y, cell) != 0 {
             self.run_along::<true>(&walk.x, &walk.y)
@@ -67,11 +67,11 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
         if matches!(kind.shape, TileShape::Empty) { None } else { Some(TilePieces::new(self, kind, x, y, d)) }
     }
 
-    fn holds_start(&self, o: Raw, walk: &Walk) -> bool {
+    fn holds_start(&self, o: Raw, walk: &RayWalk) -> bool {
         self.start_is_inside(o, walk)
     }
 
-    fn enters(&self, o: Raw, d: Raw, walk: &Walk) -> bool {
+    fn enters(&self, o: Raw, d: Raw, walk: &RayWalk) -> bool {
         self.start_goes_in(o, d, walk)
     }
 
@@ -97,7 +97,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// It is where the inequality of each shape that it touches holds strictly. Where one is an
     /// equality, the shape's line or arc ends on the border of its cell, and points of the cell
     /// nearby are not in it.
-    pub(in crate::world) fn start_is_inside(&self, o: Raw, walk: &Walk) -> bool {
+    pub(in crate::world) fn start_is_inside(&self, o: Raw, walk: &RayWalk) -> bool {
         walk.all_at_start(false, self.grid.cell as u32, |x, y| self.holds_just_after(o, NONE, x, y))
     }
 
@@ -106,7 +106,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// It is within one cell then, or on the line between two whose shapes must both cover the line
     /// there. No border of a shape but those on the cell's own sides runs along a line of the grid
     /// between two cells: so both are the same question, in each cell.
-    pub(in crate::world) fn start_goes_in(&self, o: Raw, d: Raw, walk: &Walk) -> bool {
+    pub(in crate::world) fn start_goes_in(&self, o: Raw, d: Raw, walk: &RayWalk) -> bool {
         walk.all_at_start(true, self.grid.cell as u32, |x, y| self.holds_just_after(o, d, x, y))
     }
 
