@@ -88,11 +88,11 @@
 //! None is on by default and none changes a result. `defmt` adds a compact `Format` to every public
 //! type. `serde` writes and reads every plain state that a game keeps, without a heap: numbers,
 //! shapes, heroes, movers, solids, particles, broad phases, pairs and scenes. States that depend on
-//! how this crate works inside have a version. What is read is checked as a constructor checks it:
-//! a box whose sides are exchanged, a coordinate outside the domain, an unknown version and lists
-//! that contradict each other are errors that say what and where. A [`Memo`](motion::Memo) is written as nothing
-//! and read empty, because only the level could check its answer. `libm` takes the processor's
-//! square root on x86-64: a cast of a circle takes 7 % fewer instructions.
+//! the internals of this crate carry a format version. Reading applies the same checks as the
+//! constructors. Swapped corners, coordinates outside the domain, unknown versions and inconsistent
+//! lists are errors that say what is wrong and where. A [`Memo`](motion::Memo) is not saved: it
+//! reads back empty, because its answer cannot be checked without the level. `libm` takes the
+//! processor's square root on x86-64: a cast of a circle takes 7 % fewer instructions.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -136,8 +136,9 @@ pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside};
 pub use scene::{Scene, SceneBody};
 pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
-/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
-/// come from the crate's root, and cursors and parts of results from the modules.
+/// The traits of the pair queries and of the broad phases: `use tilesat::prelude::*;`.
+///
+/// Import types from the crate root, and iterators and parts of results from their modules.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
     pub use crate::query::{

@@ -43,7 +43,7 @@ pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [Entry<K, V>], key: 
     *to = Entry(Some((key, value)));
 }
 
-/// Drops what `keep` says, which may change values; one pass.
+/// Keeps the entries for which `keep` returns true, in one pass. `keep` may change the values.
 pub(in crate::broad) fn retain<K: Copy, V: Copy>(
     entries: &mut [Entry<K, V>],
     mut keep: impl FnMut(&K, &mut V) -> bool,

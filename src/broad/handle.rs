@@ -247,9 +247,9 @@ pub enum BroadError {
     },
     /// The box's centre is outside the grid, which refuses such bodies; in raw units.
     OutOfWorld {
-        /// The centre.
+        /// The raw x of the centre of the box.
         x: i32,
-        /// The centre.
+        /// The raw y of the centre of the box.
         y: i32,
     },
 }

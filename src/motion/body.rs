@@ -210,7 +210,8 @@ pub(super) mod kernel {
         const MEETS_CORNERS: bool;
         /// Whether it has sides in any direction. If not, the code for them is not linked.
         const ANGULAR: bool = false;
-        /// Whether the joints of faces matter. What they matter to meets no corners.
+        /// Whether the body needs to know how faces are joined: one with corners, or one without
+        /// area.
         fn meets_joints(&self) -> bool;
         /// The bounding box.
         fn bounds(&self) -> Aabb;

@@ -42,11 +42,11 @@ pub struct Character<B = Aabb> {
     /// ladder does in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step) adds
     /// gravity first: a launch at -4 rises by 3.75 in its first frame. (A jump at 4 rises by 4.)
     ///
-    /// If you make it rise faster than the last step left it, it leaves its floor as by a jump, and
-    /// has no coyote time. No release of the button cuts the rise.
+    /// If you set a faster rise than the last step left, the character leaves its floor as by a
+    /// jump, without coyote time. Releasing the button does not cut this rise.
     ///
-    /// On a moving solid it is the velocity seen from there. However the character leaves it (by a
-    /// jump, a drop, a launch, or over its edge), the solid's motion is added, and stays as
+    /// On a moving solid, the velocity is relative to the solid. However the character leaves it
+    /// (by a jump, a drop, a launch, or over its edge), the solid's motion is added, and stays as
     /// [`Feel::on_leave`] says.
     pub velocity: Vec2,
     /// How it moves.
@@ -213,8 +213,8 @@ impl<B: Body> Character<B> {
         self.floor.is_some()
     }
 
-    /// The key of the solid that it stands on. `None` across a solid and other floor of one height,
-    /// though the solid may carry it all the same.
+    /// The key of the solid that it stands on. `None` if the character stands on a solid and on
+    /// other floor at the same height. The solid may still carry it.
     #[must_use]
     pub const fn ridden(&self) -> Option<u16> {
         match self.floor {
@@ -337,8 +337,8 @@ impl<B: Body> Character<B> {
 
         let base = if keeps { self.base } else { Vec2::ZERO };
         let velocity = Vec2::new(run, self.downward(fall)) + base;
-        // A push in its own direction makes a part of its way. So does the solid that it left, if
-        // that comes below its feet in the frame in which it lands.
+        // A push along the velocity has already made a part of this frame's motion. So has the
+        // solid that the character left, if it comes under its feet in the frame of the landing.
         let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
         let pushed = Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y));
         let made = if stands { carry } else { pushed };

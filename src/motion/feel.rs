@@ -17,9 +17,10 @@ pub struct Input {
     /// it stands on; while it stays true, it passes all that follow. On a one-way floor it wins
     /// over `jump`.
     ///
-    /// Off a one-way solid, which may sink, one frame counts until the feet are [`Feel::snap`] and
-    /// its motion below it. Until then the character passes other one-way floors as well. A lift
-    /// that speeds up by more than half the gravity per frame may still catch it.
+    /// After one frame of `drop` on a one-way solid, the character keeps passing it until its feet
+    /// are below by [`Feel::snap`] plus the solid's downward motion. Until then the character
+    /// passes other one-way floors as well. A lift that speeds up by more than half the gravity per
+    /// frame may still catch it.
     pub drop: bool,
 }
 
@@ -51,16 +52,16 @@ pub struct Input {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("platform_on_leave", "lift boost", "inherit velocity"))]
 pub enum OnLeave {
-    /// It goes on until the character lands or meets a wall. Seen from the solid, the flight is
-    /// that on still ground: a hero that jumps on a train comes down where it jumped.
-    /// [`Input::run`] counts as seen from the solid too.
+    /// The motion is kept until the character lands or meets a wall. Relative to the solid, the
+    /// flight is the same as from still ground: a hero that jumps on a train lands where it jumped.
+    /// [`Input::run`] is relative to the solid, too.
     #[default]
     Keep,
     /// It is added once. Then [`Feel::air_acceleration`] brings the speed to [`Input::run`] as seen
     /// from the level.
     Add,
-    /// As [`Add`](Self::Add), without the part of a jump off a solid that leads down: it rises as
-    /// high as one off still ground.
+    /// Like [`Add`](Self::Add), but a jump ignores the downward part of the solid's motion, so it
+    /// rises as high as from still ground.
     AddUpward,
 }
 
@@ -90,9 +91,9 @@ pub struct Feel {
     pub jump_cut: Fx,
     /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
     pub coyote: u8,
-    /// For how many more frames a press of the button counts, if it comes before the landing. Zero:
-    /// only in the frame of the press. If the button is up again at the landing, the jump is cut
-    /// from its first frame.
+    /// For how many frames after a press the jump may still start. With zero, only in the frame of
+    /// the press. If the button is already released at the landing, the jump is cut from its first
+    /// frame.
     #[doc(alias = "jump_buffer")]
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
@@ -107,9 +108,9 @@ pub struct Feel {
     pub step: Fx,
     /// How fast it walks on slopes.
     pub slope_speed: SlopeSpeed,
-    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps. It must have
-    /// run against the wall in the last [`coyote`](Self::coyote) frames. The same wall counts
-    /// again: if it comes back before it falls, it climbs.
+    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps. The character
+    /// must have run against the wall in the last [`coyote`](Self::coyote) frames. The same wall
+    /// can be used again, so a small speed lets it climb a single wall.
     pub wall_jump: Option<Fx>,
     /// The fastest fall while it runs against a wall. `None`: as elsewhere.
     pub wall_slide: Option<Fx>,
@@ -157,9 +158,9 @@ pub enum Outcome {
     #[default]
     Moved,
     /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`](super::Ride::Squashed).
-    /// You get it in each frame until that solid turns back or has passed; a round body may get it
-    /// for one frame more. Meanwhile the floor and the velocity stay as they were. A one-way solid
-    /// squashes nobody: without room, it passes through the character.
+    /// It is reported in every frame until that solid turns back or has passed. A round body may
+    /// report it for one frame longer. Meanwhile the floor and the velocity stay as they were. A
+    /// one-way solid squashes nobody: without room, it passes through the character.
     Squashed {
         /// The key of the solid.
         by: u16,

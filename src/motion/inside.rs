@@ -18,8 +18,8 @@ pub enum StartInside {
     #[default]
     Report,
     /// The surfaces that the body overlaps do not stop it, so it can always leave, in any
-    /// direction. All other surfaces do. The motion may end in the solid again until its first free
-    /// position, and never after it. The next call tests again.
+    /// direction. All other surfaces do. Until the body has reached a free position, the motion may
+    /// end inside the solid; after that it never does. The next call tests again.
     ///
     /// **No gravity while it is inside.** If a door of tiles has closed on a body, the floor below
     /// it has no face any more (solid lies on solid). A body that falls there goes through the
@@ -51,7 +51,7 @@ const PUSHES: u32 = 4;
 /// 31 it goes 9 to the left, at 39 it goes 9 to the right. From 32 to 38 the result is [`Stuck`].
 /// [Doors](crate::motion#doors) shows how to avoid this.
 ///
-/// Of a compound that several features hold, each push leads all parts out of one feature.
+/// If several features hold a compound, each push moves all its parts out of one of them.
 ///
 /// Cost: an exact overlap test. If that is true, the [contacts](crate::TileMap::contacts) of one
 /// body and another test, at most four times. Only a game that calls it links the code for
@@ -91,8 +91,9 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
 ///
 /// The body must be free. If `turned` is free too, that is the result. Otherwise it is pushed as by
 /// [`escape`], and only to where a point gets from the middle of the body to its own on a straight
-/// line. So a thin wall is never between the two. One-way faces do not count. Of a compound that
-/// holds for the middle of each part; both have as many parts, in the same order.
+/// line. So a thin wall is never between the two. One-way faces do not count. For a compound, this
+/// applies to the middle of each part. Both compounds must have equally many parts, in the same
+/// order.
 ///
 /// It looks at the start and at the end, not at the way between them. Turn by small steps if
 /// something thin could fit into the angle.

@@ -54,30 +54,30 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// Whether the floor ends ahead: whether it would fall if it walked on by `far` and its own
-    /// width. If the answer is `false`, its front can go on by `far`, and stays on the floor. The
-    /// sign of `far` is the direction.
+    /// Returns whether the floor ends within `far` plus the width of the body. The sign of `far` is
+    /// the direction. If the answer is `false`, the body's front can move on by `far` and stays on
+    /// the floor.
     ///
-    /// **How far.** A patrol that turns a frame later goes on by the way of that frame and by its
-    /// braking distance. If its speed is then `v`, pass `v + v * v / (2 * a)` with the
-    /// [`Feel::acceleration`](crate::Feel::acceleration) `a`, and the sign of its direction. Then its front never leaves
-    /// the floor. If `a` is at least `v`, it stops in one frame, and `v` is enough. The chapter on
-    /// walkers in the guide has the program, also for short platforms.
+    /// **How far.** A patrol that turns in the next frame still moves by that frame's motion and by
+    /// its braking distance. If its speed is then `v`, pass `v + v * v / (2 * a)` with the
+    /// [`Feel::acceleration`](crate::Feel::acceleration) `a`, and the sign of its direction. Then
+    /// its front never leaves the floor. If `a` is at least `v`, it stops in one frame, and `v` is
+    /// enough. The chapter on walkers in the guide has the program, also for short platforms.
     ///
     /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are no ledges, and neither
     /// are gaps that are narrower than the body. A gap as wide as a box is a ledge, even if the box
     /// would step over it: it may stop in it. One-way floors are floors. In the air the answer is
     /// `false`.
     ///
-    /// It looks in steps of five eighths of the snap. Of a body that is no box, a step may pass a
-    /// gap that is wider than the body by less than that: ask in every frame.
+    /// It looks in steps of five eighths of the snap. For a body that is not a box, one look may
+    /// skip a gap that exceeds the width of the body by less than a step. Call it in every frame.
     ///
     /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and a look down for
-    /// each that a box makes. That are four walks for a body of 10 units at a speed of 1, more than
-    /// all else that a patrol does in a frame. Up to twenty more follow where the floor has a gap
-    /// that is nearly as wide as the box. To save it, ask in every `n`-th frame, with `far` larger
-    /// by `(n - 1) * v`. If `far` and the width are more than ten times the snap, the steps are
-    /// longer, and slopes that lead down may count as ledges: raise the snap.
+    /// each that a box makes. For a body of 10 units at a speed of 1 that is four walks, more than
+    /// the rest of the patrol's frame. Up to twenty more follow where the floor has a gap that is
+    /// nearly as wide as the box. To save it, ask in every `n`-th frame, with `far` larger by `(n -
+    /// 1) * v`. If `far` and the width are more than ten times the snap, the steps are longer, and
+    /// slopes that lead down may count as ledges: raise the snap.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, TileKind, TileKinds, TileMap, Vec2, fx};

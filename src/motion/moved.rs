@@ -16,9 +16,9 @@ pub struct Moved<B> {
     pub body: B,
     /// The velocity after the response. Pass it to the next call.
     pub velocity: Vec2,
-    /// The motion that was not made: the rest of a stopped body's motion, or what is left after
-    /// [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces, in a tight place or after as many
-    /// bounces.
+    /// The motion that was not made, in units. It is the rest of a stopped body's motion, or what
+    /// remains after [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces: in a tight spot, or
+    /// after that many bounces.
     pub remaining: Vec2,
     /// The hits, in order.
     pub hits: Hits,
@@ -56,7 +56,8 @@ impl<B: Body> Moved<B> {
         }
     }
 
-    /// A copy as a result, part by part: inline, not by the compiler's routine of 700 bytes.
+    /// Copies the result field by field, inline: a call of the compiler's copy routine would link
+    /// 700 bytes.
     #[inline(always)]
     pub(super) fn told(&self) -> Result<Self, super::MoveError> {
         let mut result = Ok(Self::freely(self.body, self.velocity, 0));
@@ -148,9 +149,10 @@ impl core::error::Error for MoveError {}
 // after it begins at an odd address: 8834 instructions for a hero's frame on a Cortex-M0, not 5658.
 #[repr(C)]
 pub struct Hit {
-    /// The part of the motion made before the hit. Exact, rounded down, for the first hit on a face
-    /// along x or y, and for a box on the slope of a tile. Elsewhere early by less than a raw unit
-    /// of way. Later hits of one call add the roundings of the earlier ones.
+    /// The part of the motion made before the hit: a fraction of the motion, 0 to 1. It is exact,
+    /// rounded down, for the first hit on a face along x or y, and for a box on the slope of a
+    /// tile. At other surfaces it may be early, by less than one raw unit of travel. A later hit of
+    /// the same call adds the rounding of the earlier ones.
     pub toi: Toi,
     /// The exact normal of the surface: out of the solid, toward the body.
     pub axis: Axis,

@@ -108,7 +108,7 @@ impl<S: Law> Mover<S> {
     /// tile, the [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` is the
     /// mover's own response. A mover without such a function links no code for it.
     ///
-    /// It must return the same for the same hit. To learn what a body passed, see
+    /// It must be a pure function of the hit. To learn what a body passed, see
     /// [`move_along`](Self::move_along). Call this after [`with_surface`](Self::with_surface).
     ///
     /// ```
@@ -169,8 +169,8 @@ impl<S: Law> Mover<S> {
     /// a player drops through a platform. Hits report the faces as with [`Response::DropThrough`].
     ///
     /// Gravity must act in that frame: the body passes only what it moves into. A body that stands
-    /// and has no downward velocity stands on. One frame is enough if it moves into the face by a
-    /// raw unit or more: then the body is no longer entirely in front of it. One-way
+    /// without a downward velocity stays on the platform. One frame is enough if it moves into the
+    /// face by a raw unit or more: then the body is no longer entirely in front of it. One-way
     /// [`Solid`](crate::Solid)s do not carry a mover that drops through, either.
     ///
     /// ```
@@ -216,37 +216,38 @@ impl<S: Law> Mover<S> {
     /// is free there either, it ends where that piece of its motion began.
     ///
     /// The remaining velocity is the longest projection of the velocity that no surface blocks.
-    /// Only the surfaces count that the body touches *at that position*, not those that it has left
-    /// behind. Along the slopes of tiles the direction is exact: the velocity is a multiple of the
+    /// Only surfaces that the body touches *at that position* count. Surfaces that it has left do
+    /// not. Along the slopes of tiles the direction is exact: the velocity is a multiple of the
     /// slope's direction, less than one multiple short. Through a quarter pipe the body moves by
     /// one chord per call. It leaves as fast as it entered, less about 3 raw per call. No response
     /// raises the square of the velocity (with a [`Speed`](super::Speed), not above that).
     ///
     /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall)
-    /// comes to rest, for gravities up to a twentieth of a tile per call squared. Every way that it
-    /// makes is a part of its velocity, so it does not jitter. Without friction a half pipe swings
-    /// a body for ever, up to 216 units higher in 40 000 calls. A friction of 0.5 % ends both.
+    /// comes to rest, for gravities up to a twentieth of a tile per call squared. Each displacement
+    /// is a fraction of its velocity, so the body does not jitter. Without friction a half pipe
+    /// swings a body for ever, up to 216 units higher in 40 000 calls. A friction of 0.5 % ends
+    /// both.
     ///
     /// With zero velocity the call returns at once. It does not look at the level, and does not
     /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
-    /// Mirrored scenes give mirrored bits, except where a circle meets two corners, slopes or arcs
-    /// at once and equally squarely (+x goes first), and where a corner of a polygon or a turned
-    /// box meets a corner (1 of 100 000 motions): it may be a raw unit off, or bounce off the other
-    /// side. Translated scenes give the same bits. So do scenes with x and y exchanged, except for
-    /// ties (x goes first) and a raw unit at corners.
+    /// Mirrored scenes give mirrored bits, with two exceptions. A circle that meets two corners,
+    /// slopes or arcs at once and equally squarely takes the one toward +x first. A corner of a
+    /// polygon or oriented box that meets a corner (1 of 100 000 motions) may end a raw unit off,
+    /// or bounce off the other side. Translated scenes give the same bits. So do scenes with x and
+    /// y exchanged, except for ties (x goes first) and a raw unit at corners.
     ///
     /// Cost: where all cells under the motion are empty, one look at each. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A
-    /// fast body far from the map takes as many look-ups. Each sweep needs one or two exact overlap
-    /// tests; [`Moved::work`] counts them. No division instruction; one square root for each slope
-    /// (circles), corner and arc that is hit.
+    /// fast body needs as many look-ups even far from the map. Each sweep needs one or two exact
+    /// overlap tests; [`Moved::work`] counts them. No division instruction; one square root for
+    /// each slope (circles), corner and arc that is hit.
     ///
     /// # Errors
     /// - [`MoveError::Range`] if a velocity component or a half extent is not below 2^28 raw (4096
-    ///   units). A velocity shorter than that stays acceptable in every direction.
-    /// - [`MoveError::Range`] if the motion would leave the domain, were nothing in its way, or
-    ///   visits more than [`Mover::CELLS`] cells.
+    ///   units). A velocity of less than 4096 units is accepted in every direction.
+    /// - [`MoveError::Range`] if the motion, unobstructed, would leave the domain, or visits more
+    ///   than [`Mover::CELLS`] cells.
     /// - [`MoveError::Range`] at any velocity, even zero, for a body that cannot move: a slanted
     ///   capsule, one without radius, or an [`AnyShape`](crate::shape::AnyShape) without an area.
     /// - [`MoveError::Stuck`] if the body moves, already overlaps the level, and the mover

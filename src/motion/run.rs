@@ -44,8 +44,8 @@ pub(super) struct Run<'m, B> {
     /// Whether no way is free, and the motion follows a bound way up to the surface that binds it.
     pub(super) creeps: bool,
     pub(super) pass_one_way: bool,
-    /// Whether nothing has been hit yet. Between the others, for to clear five flags in a row would
-    /// be a call.
+    /// Whether nothing has been hit yet. Placed between the others: clearing five adjacent flags
+    /// would become a library call.
     pub(super) is_first: bool,
     /// Whether the body has been in the solid all the time.
     pub(super) inside: bool,
@@ -304,7 +304,7 @@ pub(super) struct Shut {
 }
 
 impl Shut {
-    /// None. All places hold a value at hand: to clear them would be a call.
+    /// No probes. The unused slots hold a value at hand: clearing them would become a library call.
     pub(super) fn none(unused: Raw) -> Self {
         Self { probes: [unused; 4], len: 0 }
     }

@@ -151,7 +151,7 @@ impl<S: Law> Mover<S> {
         if alone {
             ways.free();
         }
-        // Of a corner that meets the very end of a face, the ways beside the face are as good.
+        // If a corner meets the very end of a face, the ways past that face are allowed as well.
         let of_face = of_hit.filter(|_| !(B::ANGULAR && hit.is_some_and(|(entry, _)| entry.at_end)));
         let normal = of_face.map_or(Axis::new(0, 0), |plane| plane.normal);
         if let Some(way) = run.choose(world, &mut ways, normal, passes) {

@@ -114,7 +114,7 @@ impl Toi {
 pub struct Ratio(u32);
 
 impl Ratio {
-    /// Nothing.
+    /// Zero; exact.
     pub const ZERO: Self = Self(0);
     /// One half; exact.
     pub const HALF: Self = Self(1 << 29);

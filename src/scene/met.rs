@@ -64,7 +64,8 @@ impl Met {
 }
 
 /// The first end of a way among those that were compared. The level's end goes before a body's at
-/// the same time. Of bodies, the one with the smaller key goes first, then that in the smaller slot.
+/// the same time. Among bodies, the one with the smaller key goes first, then that in the smaller
+/// slot.
 pub(super) struct FirstEnd {
     pub(super) end: (Toi, End),
     /// The key and the slot of the body, if one ends it.

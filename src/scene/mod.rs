@@ -66,9 +66,9 @@
 //! - **No body enters the solid.** A body that is in it already, or cannot be moved for another
 //!   reason, is [held](SceneEvent::Held): it stays and has no velocity.
 //! - **Bodies may overlap** after a step, if the level leaves no room or many push. The next step
-//!   finds how deep, and pushes again. Of a body that was pushed in vain, others then come out the
-//!   whole way. A heavy body comes into a light one at a wall by two of its steps, and by what
-//!   gravity adds in three.
+//!   finds how deep, and pushes again. If a push could not move a body, the other body then makes
+//!   the whole correction. A heavy body can sink into a light one at a wall by two of its steps,
+//!   plus what gravity adds in three.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
 //! - **Order does not matter**, neither that of insertion nor that of the broad phase, nor the
 //!   choice of broad phase. For this, keys must be unique (otherwise slots decide). Only events
@@ -123,8 +123,8 @@
 //!
 //! A fast body with nobody in reach is moved like all others; that costs one region query.
 //! Otherwise each event takes a few casts through the level and region queries, and tests the boxes
-//! of all fast bodies. In a crowd that presses itself, this grows faster than the square of the
-//! number: flag bullets, crushers and the hero, not a crowd.
+//! of all fast bodies. In a crowd that presses together, the cost grows faster than the square of
+//! the number of fast bodies: flag bullets, crushers and the hero, not a crowd.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -199,13 +199,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **A hero** that a [`Walker`](crate::Walker) moves is in the scene as a body that
-//! [floats](SceneBody::floats), with a mass and no velocity. In each frame, walk it through the
-//! level, `place` it, `step`, and continue from where the scene pushed it, which the level allows.
-//! It meets triggers, and pushes crates that it walks into. A hit changes its velocity in the
-//! scene: add that to the walker's or not, and set it to zero. A `fixed` body would not do: nobody
-//! pushes it, and it does not meet other fixed bodies. The walker does not know that it stands on a
-//! crate, but [`is_supported`](crate::Scene::is_supported) does.
+//! **A hero**: to put a hero that a [`Walker`](crate::Walker) moves into a scene, insert a body
+//! that [floats](SceneBody::floats), with a mass and zero velocity. In each frame, walk the hero
+//! through the level, `place` its body, call `step`, and continue from the position to which the
+//! scene pushed it. The level never overlaps that position. It meets triggers, and pushes crates
+//! that it walks into. A hit changes its velocity in the scene: add that to the walker's or not,
+//! and set it to zero. A `fixed` body would not do: nobody pushes it, and it does not meet other
+//! fixed bodies. The walker does not know that it stands on a crate, but
+//! [`is_supported`](crate::Scene::is_supported) does.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;

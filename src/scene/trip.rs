@@ -33,7 +33,7 @@ impl<'a, V> Trip<'a, V> {
     }
 }
 
-/// What of a trip is done with a body of one shape.
+/// The part of a trip that depends on the type of the shape.
 struct Travel<'t, 'a, V, S, N> {
     trip: &'t Trip<'a, V>,
     slot: &'t mut Slot<S>,
@@ -160,7 +160,8 @@ impl<V> Trip<'_, V> {
         V: View<S>,
     {
         let (shape, Causes { push, velocity, .. }) = (&slot.body.shape, self.causes(slot));
-        // The look costs as much as the step. What gravity has moved for two steps has come on.
+        // The look costs as much as the step. So only a body that nothing pushes, and that is no
+        // faster than two steps of gravity, is looked at.
         if push != Vec2::ZERO || size(velocity) > size(self.gravity).saturating_mul(2) {
             return false;
         }

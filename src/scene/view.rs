@@ -17,7 +17,7 @@ pub(super) fn sliding(mover: Mover) -> Sliding {
     mover.with_surface(Surface::SLICK).with_responses(Responses::NONE)
 }
 
-/// The level of each body. One name for a call and for the level that it returns.
+/// How a step finds the level of a body: one level for all, or a closure that returns one.
 pub(super) trait View<S> {
     type Level: World;
     fn level(&self, body: &SceneBody<S>) -> &Self::Level;

@@ -77,8 +77,9 @@ single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 /// Up to `M` shapes of one type that move as one: a concave shape by its convex parts, a body with
 /// a shield. [`AnyShape`] mixes types.
 ///
-/// Each part is where it is put: move it by its offset before. Every verb looks at the bounding box
-/// of all parts first, and at the parts only if that is met. The answers are those of the parts:
+/// Parts have absolute positions: apply the offset of each part before you build the compound.
+/// Every verb looks at the bounding box of all parts first, and at the parts only if that is met.
+/// The answers are those of the parts:
 ///
 /// | verb | answer |
 /// |---|---|
@@ -88,8 +89,9 @@ single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 /// | `contains` | a point: whether any part does; a compound in a shape: whether all parts are |
 /// | `cast_shape`, `cast_ray` | the earliest hit of a part; inside where any part is |
 ///
-/// So what lies along the border between two parts, in none of them, does not overlap. Whether a
-/// shape is in a compound is not asked: it may be in several parts together.
+/// So a shape that lies exactly along the border between two parts overlaps neither. `contains`
+/// cannot ask whether a compound contains a shape, because the shape may lie in several parts
+/// together.
 ///
 /// A compound is a [`Body`](crate::Body): movers slide it along levels, by its parts. Levels answer
 /// the same questions about it as about its parts, and list the

@@ -44,9 +44,10 @@ pub struct OrientedBox {
 impl OrientedBox {
     /// A box from its centre, half its size, and the direction of its first side.
     ///
-    /// The direction's length means nothing; `Axis::X` is an upright box. [`Axis::from_turns`]
-    /// gives it from an angle. Each component of a half side is rounded to nearest, so that quarter
-    /// turns and mirror images of the direction give turned and mirrored boxes bit for bit.
+    /// The length of the direction does not matter. `Axis::X` gives an upright box.
+    /// [`Axis::from_turns`] gives it from an angle. Each component of a half side is rounded to
+    /// nearest, so that quarter turns and mirror images of the direction give turned and mirrored
+    /// boxes bit for bit.
     ///
     /// # Errors
     /// [`RangeError`] if the direction is zero or has a component `i32::MIN`, a half extent is

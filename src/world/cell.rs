@@ -104,7 +104,7 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// Over.
+    /// A walk without a cell.
     pub(crate) const NONE: Self = Self::of(Range::NONE);
 
     pub(in crate::world) const fn of(range: Range) -> Self {

@@ -65,11 +65,11 @@ closest_point_of! {
     /// first. A corner comes next, then the end of a face, then the piece with the smaller
     /// coordinates. The answer depends only on the level and the point.
     ///
-    /// Cost: the features of squares around `p` whose half side doubles from one cell until the
-    /// nearest point is found, at the last `within`: at most twice the features of the last one,
-    /// which has `(2 within / cell + 3)` squared cells at most. [`Near::features`] counts them.
-    /// Within a cell of 24 units, of which a quarter hold a shape, some 13000 instructions on a
-    /// Cortex-M0.
+    /// Cost: it searches squares around `p`. The half side starts at one cell and doubles until the
+    /// nearest point is found, up to `within`. In total it examines at most twice the features of
+    /// the last square, which has at most `(2 within / cell + 3)` squared cells. [`Near::features`]
+    /// counts them. Within a cell of 24 units, of which a quarter hold a shape, some 13 000
+    /// instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{AllShapes, Axis, Fx, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2, world::OneWay};

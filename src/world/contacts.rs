@@ -201,11 +201,11 @@ contacts_of! {
     /// nearest first.
     ///
     /// A feature counts where the body is in its region. For a circle, the centre must be before or
-    /// behind a face or an arc, or in the cone of a corner. Right behind a concave corner it has
-    /// none of these; the faces count whose ends it covers and is behind of. For a box, the deepest
-    /// corner must be before or behind a slope or arc. A side of the box counts against a face
-    /// along x or y, or against the corner that it faces. A box that has none of these has the
-    /// nearest slope that it meets at all.
+    /// behind a face or an arc, or in the cone of a corner. Directly behind a concave corner none
+    /// of these applies. Then those faces count whose ends the circle covers and whose back it is
+    /// on. For a box, the deepest corner must be before or behind a slope or arc. A side of the box
+    /// counts against a face along x or y, or against the corner that it faces. A box that has none
+    /// of these has the nearest slope that it meets at all.
     ///
     /// Capsules, turned boxes and polygons follow the rules of boxes, with their own sides, and
     /// with a disc around each corner if they are rounded. The shortest way out comes first, by the

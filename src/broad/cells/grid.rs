@@ -107,8 +107,8 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
     /// An empty grid, which may be a `static`. Pass the corner with the smallest coordinates, the
     /// side of a cell, and the number of columns.
     ///
-    /// A static one takes as much flash as RAM, for it is not all zero: on a chip, make it when the
-    /// program starts.
+    /// A `static` grid takes as much flash as RAM, because its initial value is not all zeros. On a
+    /// chip, build it when the program starts.
     ///
     /// The side is a power of two of raw units (so of units as well), and the columns are a power
     /// of two: no index needs a division. The blocks give the number of rows. Bodies outside are

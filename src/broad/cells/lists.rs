@@ -48,7 +48,7 @@ pub struct ListsMut<'a> {
 }
 
 impl<const N: usize> Links<N> {
-    /// A free slot is not in the cell NIL: it would be tested as a large body.
+    /// A free slot must not have the cell NIL, or it would be tested as a large body.
     pub(in crate::broad) const fn new() -> Self {
         Self { next: [NIL; N], prev: [NIL; N], cell: [0; N], large: NIL }
     }

@@ -52,16 +52,16 @@ impl<L: Law> Mover<L> {
     ///   body touches; the body itself does not turn.
     /// - **Pushed** bodies go the shortest way out that the level and all solids leave: along the
     ///   normal of the face, corner or arc that hits them, and along walls and slopes from there.
-    /// - **Squashed** is a body without such a way, or one that is longer than eight times the
-    ///   longest motion of a solid: between a wedge and a wall that nearly meet. A body that the
-    ///   solids pass where it is stays there.
+    /// - **Squashed**: the body has no such way out, or it is longer than eight times the longest
+    ///   motion of a solid. That happens between a wedge and a wall that nearly meet. A body that
+    ///   the solids pass where it is stays there.
     /// - **A turn** keeps each body in front of the face or corner that was between them before,
     ///   by any angle, so none gets to the other side. The way between both positions is not looked
     ///   at: the tip of an arm of 100 units that turns by 10 degrees passes over bodies that are in
     ///   its reach by less than 0.4 units.
     ///
-    /// A turn that must not squash is refused by the game: ask all bodies first, and turn the solid
-    /// only if none is squashed. See the example.
+    /// If a turn must not squash a body, your game has to refuse it: call this for all bodies
+    /// first, and turn the solid only if none is squashed. See the example.
     ///
     /// Cost: a few comparisons for each far solid (100 instructions on a Cortex-M0). Otherwise at
     /// most [`Mover::CONVEX_ROUNDS`] displacements, each one sweep through the level and one for

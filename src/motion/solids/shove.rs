@@ -182,7 +182,8 @@ pub(super) fn out_of(rest: Raw, n: Axis, along: i32) -> i32 {
 
 /// `v / a`, rounded up, for quotients below 2^32.
 ///
-/// Bit by bit, for it is rare: a quick quotient of a double word takes 500 bytes of flash.
+/// Computed bit by bit, because it is rare: a fast quotient of a double word takes 500 bytes of
+/// flash.
 fn quotient_up(v: u64, a: u32) -> u32 {
     let (mut rest, mut part, mut quotient) = (v, u64::from(a) << 32, 0u32);
     for _ in 0..32 {

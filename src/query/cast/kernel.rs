@@ -150,8 +150,8 @@ pub struct CastHit {
     /// The normal at the hit, from B toward A, against the motion. It is never zero, and has length
     /// one where it is parallel to x or y. Of straight sides it is exact. Of two circles, or of a
     /// corner that a circle hits, it leads from the one centre, or the corner, to the other centre
-    /// at its position now. It is as fine as the radius is large. In the closest graze it is across
-    /// the motion, give or take that rounding.
+    /// at its position now. Its resolution grows with the radius. In the closest graze it is
+    /// perpendicular to the motion, within that rounding.
     pub axis: Axis,
     /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw
     /// units short of it, and does not overlap it. A motion longer than 4096 units may end four raw

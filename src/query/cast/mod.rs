@@ -40,9 +40,10 @@ pub use kernel::{CastHit, Inside, MovingHit};
 ///         <----------->     +-----+      axis         <-, out of B
 /// ```
 ///
-/// A hit at one moment on two sides, corner to corner, is on the one that opposes the motion more,
-/// then on the one whose axis is more along x. Exchanging A and B and reversing the motion gives
-/// the same time, and displacement and axis reversed. Translated scenes give the same bits.
+/// If two sides are hit at the same moment (corner to corner), the hit is on the side that opposes
+/// the motion more. On a tie it is on the side whose axis is more along x. Exchanging A and B and
+/// reversing the motion gives the same time, and displacement and axis reversed. Translated scenes
+/// give the same bits.
 ///
 /// Mirrored scenes give mirrored bits, with one exception. If the motion is along x or y, two sides
 /// or corners that it meets at one moment may have axes that mirror each other at it. The hit is

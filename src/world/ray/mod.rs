@@ -44,13 +44,13 @@ impl From<Inside> for RayRules {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias = "RaycastHit")]
 pub struct RayHit {
-    /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of
-    /// arcs.
+    /// The fraction of the motion at the hit, 0 to 1, rounded down to a multiple of 2^-30. This is
+    /// exact for straight faces and for the ends of arcs.
     ///
-    /// Within an arc it is a lower bound. It is early by less than one raw unit of way for motions
-    /// up to 4096 units, and by less than four for any.
+    /// Within an arc it is a lower bound. It is early by less than one raw unit of travel for
+    /// motions up to 4096 units, and by less than four for any.
     pub toi: Toi,
-    /// Where, rounded to the free side of the piece that was hit.
+    /// The point of the hit, rounded to the free side of the piece that was hit.
     ///
     /// On a straight face, each coordinate is less than one raw off. It is rounded toward the
     /// start, or away from it if the normal is on that side. So along a face's axis it is exact. On
