@@ -74,8 +74,8 @@ pub trait BroadPhase: Spatial {
     /// frame is cheaper than one per body.
     ///
     /// # Errors
-    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was, and
-    /// the others move.
+    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was,
+    /// and the others move.
     #[inline]
     fn move_each(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
         self.move_all(to)

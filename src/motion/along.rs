@@ -10,7 +10,8 @@ impl<S: Law> Mover<S> {
     ///
     /// Use it to list all that a body passes: the level says what the body passes
     /// ([`TileKinds::passing`](crate::TileKinds::passing), a shorter list of solids), and
-    /// [`TileMap::tiles_on`](crate::TileMap::tiles_on) and [`Solids::on`](crate::Solids::on) list it.
+    /// [`TileMap::tiles_on`](crate::TileMap::tiles_on) and [`Solids::on`](crate::Solids::on) list
+    /// it.
     ///
     /// Cost: that of `move_and_slide`. A program that calls both links the mover twice.
     ///

@@ -268,7 +268,8 @@ pub(super) mod kernel {
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
-        /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels link.
+        /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels
+        /// link.
         #[inline(never)]
         fn sweep_in<W: World>(&self, d: Raw, feature: &Feature) -> Option<Entry> {
             if W::BLOCKS {

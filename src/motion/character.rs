@@ -236,8 +236,8 @@ impl<B: Body> Character<B> {
     }
 
     /// The second half of [`step_on`](Self::step_on), in a level [`Joined`](crate::Joined) with the
-    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned, whose
-    /// example shows both.
+    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned,
+    /// whose example shows both.
     ///
     /// # Errors
     /// As [`step`](Self::step).

@@ -157,10 +157,11 @@ pub enum Outcome {
     /// It moved, or stood.
     #[default]
     Moved,
-    /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`](super::Ride::Squashed).
-    /// It is reported in every frame until that solid turns back or has passed. A round body may
-    /// report it for one frame longer. Meanwhile the floor and the velocity stay as they were. A
-    /// one-way solid squashes nobody: without room, it passes through the character.
+    /// A solid pressed it against something, and it stayed where it was: see
+    /// [`Ride::Squashed`](super::Ride::Squashed). It is reported in every frame until that solid
+    /// turns back or has passed. A round body may report it for one frame longer. Meanwhile the
+    /// floor and the velocity stay as they were. A one-way solid squashes nobody: without room, it
+    /// passes through the character.
     Squashed {
         /// The key of the solid.
         by: u16,
@@ -170,8 +171,8 @@ pub enum Outcome {
     /// It overlaps the level and did not move: it started in a wall, or a tile closed on it.
     /// `level.overlaps(hero.body())` is true.
     ///
-    /// With [`step_carried`](crate::Character::step_carried) in a [`Joined`](crate::Joined) level, a
-    /// solid that squashed it counts as level. [`step_on`](crate::Character::step_on) returns
+    /// With [`step_carried`](crate::Character::step_carried) in a [`Joined`](crate::Joined) level,
+    /// a solid that squashed it counts as level. [`step_on`](crate::Character::step_on) returns
     /// [`Squashed`](Self::Squashed) instead.
     Stuck,
     /// It is entirely below its limits, or beside them. It may fly above them.

@@ -13,8 +13,9 @@ impl<B: Body> Character<B> {
     /// pass from there: *corner correction*. Returns whether it moved.
     ///
     /// Call it before [`step`](Self::step) or [`step_on`](Self::step_on), with the same input. It
-    /// looks at the velocity that this step will start with, as [`Mover::assist`](crate::Mover::assist) does. With moving
-    /// solids, pass the level [`Joined`](crate::Joined) with them.
+    /// looks at the velocity that this step will start with, as
+    /// [`Mover::assist`](crate::Mover::assist) does. With moving solids, pass the level
+    /// [`Joined`](crate::Joined) with them.
     ///
     /// Cost: that of [`Mover::assist`](crate::Mover::assist). You link it only if you call it.
     ///
@@ -64,20 +65,20 @@ impl<B: Body> Character<B> {
     /// its front never leaves the floor. If `a` is at least `v`, it stops in one frame, and `v` is
     /// enough. The chapter on walkers in the guide has the program, also for short platforms.
     ///
-    /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are no ledges, and neither
-    /// are gaps that are narrower than the body. A gap as wide as a box is a ledge, even if the box
-    /// would step over it: it may stop in it. One-way floors are floors. In the air the answer is
-    /// `false`.
+    /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are no
+    /// ledges, and neither are gaps that are narrower than the body. A gap as wide as a box is a
+    /// ledge, even if the box would step over it: it may stop in it. One-way floors are floors. In
+    /// the air the answer is `false`.
     ///
     /// It looks in steps of five eighths of the snap. For a body that is not a box, one look may
     /// skip a gap that exceeds the width of the body by less than a step. Call it in every frame.
     ///
-    /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and a look down for
-    /// each that a box makes. For a body of 10 units at a speed of 1 that is four walks, more than
-    /// the rest of the patrol's frame. Up to twenty more follow where the floor has a gap that is
-    /// nearly as wide as the box. To save it, ask in every `n`-th frame, with `far` larger by `(n -
-    /// 1) * v`. If `far` and the width are more than ten times the snap, the steps are longer, and
-    /// slopes that lead down may count as ledges: raise the snap.
+    /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and
+    /// a look down for each that a box makes. For a body of 10 units at a speed of 1 that is four
+    /// walks, more than the rest of the patrol's frame. Up to twenty more follow where the floor
+    /// has a gap that is nearly as wide as the box. To save it, ask in every `n`-th frame, with
+    /// `far` larger by `(n - 1) * v`. If `far` and the width are more than ten times the snap, the
+    /// steps are longer, and slopes that lead down may count as ledges: raise the snap.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, TileKind, TileKinds, TileMap, Vec2, fx};

@@ -95,8 +95,8 @@ impl<B: Body> Character<B> {
     /// In the frame of a jump the ride has already made the solid's part, and the walk makes the
     /// jump's. Both together are the new `velocity`.
     ///
-    /// Cost: [`Mover::ride`] or [`Mover::ride_convex`], and [`Walker::walk`](crate::Walker::walk) in a
-    /// [`Joined`] level.
+    /// Cost: [`Mover::ride`] or [`Mover::ride_convex`], and [`Walker::walk`](crate::Walker::walk)
+    /// in a [`Joined`] level.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2};
@@ -152,7 +152,8 @@ impl<B: Body> Character<B> {
     /// [`step_on`](Self::step_on) moves one. They do not affect each other.
     ///
     /// If their number changes while the game runs, call [`ride`](Self::ride) for each, then
-    /// [`Solid::move_all`] or [`ConvexSolid::move_all`], then [`step_carried`](Self::step_carried) for each.
+    /// [`Solid::move_all`] or [`ConvexSolid::move_all`], then [`step_carried`](Self::step_carried)
+    /// for each.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2, fx};

@@ -33,8 +33,9 @@ pub(super) struct Way {
 ///
 /// If it led nowhere, then its next way with the same causes is the same, as long as neither the
 /// body nor the level changes. A change of the body by a step goes through
-/// [`Trip::make`](super::trip::Trip), one by the game through [`Scene::alter`](super::Scene::alter),
-/// and one of the level through [`Scene::wake_region`](super::Scene::wake_region); each clears this.
+/// [`Trip::make`](super::trip::Trip), one by the game through
+/// [`Scene::alter`](super::Scene::alter), and one of the level through
+/// [`Scene::wake_region`](super::Scene::wake_region); each clears this.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rest {
     pub(super) made: Made,

@@ -87,9 +87,9 @@
 //! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
 //!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
 //!   also wakes if you name a region that [changed](Scene::wake_region), and if a solid that
-//!   [moves](Scene::ride) comes near it. A tile or a solid that you take away wakes nobody: name its
-//!   region. Sensors wake nobody. A woken body wakes the bodies that it touches in the next step,
-//!   with the whole pile of those that touch each other.
+//!   [moves](Scene::ride) comes near it. A tile or a solid that you take away wakes nobody: name
+//!   its region. Sensors wake nobody. A woken body wakes the bodies that it touches in the next
+//!   step, with the whole pile of those that touch each other.
 //!
 //! # Fast bodies
 //!
@@ -163,8 +163,8 @@
 //!
 //! **Moving platforms** are [`Solid`](crate::Solid)s or
 //! [`ConvexSolid`](crate::world::ConvexSolid)s: [`ride`](crate::Scene::ride) moves them, with what
-//! they carry and push, and each step sees them in a [`Joined`](crate::Joined) level. Without `ride`
-//! a solid only blocks, and a body that it enters is [held](SceneEvent::Held).
+//! they carry and push, and each step sees them in a [`Joined`](crate::Joined) level. Without
+//! `ride` a solid only blocks, and a body that it enters is [held](SceneEvent::Held).
 //!
 //! They can also be `fixed` bodies that the game [places](crate::Scene::place). Those push by their
 //! velocity, and carry by friction. Set the platform's velocity, and place it *after* the step, in
@@ -240,10 +240,10 @@
 //!
 //! **Ghosts, bullets, pick-ups**: what happens where two bodies meet is a [`Reply`], which
 //! [`step_with`](Scene::step_with) asks for: they ignore or cross each other, slide, touch or
-//! bounce. A [`Filter`](crate::Filter) does the same for whole groups, and costs less. What the level
-//! is to a body is the other half: [`SceneBody::responses`] for what stops it, and
-//! [`step_in`](Scene::step_in) for the tiles that it passes.
-//! [`step_along`](Scene::step_along) reports them.
+//! bounce. A [`Filter`](crate::Filter) does the same for whole groups, and costs less. What the
+//! level is to a body is the other half: [`SceneBody::responses`] for what stops it, and
+//! [`step_in`](Scene::step_in) for the tiles that it passes. [`step_along`](Scene::step_along)
+//! reports them.
 //!
 //! **Tiles that only some bodies meet**: give the tiles flags, and write one table of the flags
 //! that each kind of body passes. It makes a table of tiles for each kind of body

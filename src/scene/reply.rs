@@ -15,7 +15,8 @@ pub enum Reply {
     /// Nothing happens, and nothing is reported.
     Ignore,
     /// They pass each other. Each step in which they touch is reported, and each time that they
-    /// meet on the way of a fast body, for all bodies on it: as for [sensors](crate::Filter::sensor).
+    /// meet on the way of a fast body, for all bodies on it: as for
+    /// [sensors](crate::Filter::sensor).
     Cross,
     /// Their surfaces decide.
     #[default]

@@ -43,8 +43,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// All solids go by their motions or [turns](crate::world::ConvexSolid::with_turn) at once.
     /// Call this once per frame, *before* the [step](Self::step), with all solids in one list: a
     /// `ConvexSolid<AnyShape<N>>` can be a box, too. Pass the plain level here, and step in the
-    /// level [joined](crate::Joined) with the solids. There bodies stand on the solids, bounce off them, and
-    /// bullets hit them. [`Solids::key_of`](crate::Solids::key_of) reads from a hit which one.
+    /// level [joined](crate::Joined) with the solids. There bodies stand on the solids, bounce off
+    /// them, and bullets hit them. [`Solids::key_of`](crate::Solids::key_of) reads from a hit which
+    /// one.
     ///
     /// ```text
     ///   1 ride: the solids move, and what        2 step: gravity, velocities, and bodies

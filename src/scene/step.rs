@@ -45,8 +45,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Like [`step`](Self::step), but `replies` says for each pair what it does: a
-    /// [`Reply`](super::Reply), or a `bool` for whether the pair takes effect. A refused pair neither
-    /// pushes nor wakes, and is not reported.
+    /// [`Reply`](super::Reply), or a `bool` for whether the pair takes effect. A refused pair
+    /// neither pushes nor wakes, and is not reported.
     ///
     /// `replies` is called for each pair that touches, and again if the two run into each other. It
     /// must return the same in the whole step. Use a [`Filter`](crate::Filter) where one is enough:

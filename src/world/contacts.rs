@@ -211,8 +211,8 @@ contacts_of! {
     /// with a disc around each corner if they are rounded. The shortest way out comes first, by the
     /// depth rounded up to raw units; then faces and arcs before corners.
     ///
-    /// A [`Compound`](crate::shape::Compound) has the contacts of its parts, in the same order. Of a
-    /// feature that several parts overlap it lists the deepest, so after its
+    /// A [`Compound`](crate::shape::Compound) has the contacts of its parts, in the same order. Of
+    /// a feature that several parts overlap it lists the deepest, so after its
     /// [`push_out`](WorldContact::push_out) no part overlaps that feature.
     ///
     /// Features seen from behind count only while the body's middle is in the solid: the far side

@@ -21,8 +21,8 @@ pub enum Response {
     DropThrough,
     /// Bounces off the surface like a mirror image: exact at a face along x or y. Elsewhere
     /// rounding may take up to 2 raw units of speed. It never gains speed.
-    /// [`Mover::with_surface`](crate::Mover::with_surface) sets less bounce, and bounces that do not
-    /// lose those units either.
+    /// [`Mover::with_surface`](crate::Mover::with_surface) sets less bounce, and bounces that do
+    /// not lose those units either.
     Bounce,
 }
 

@@ -15,8 +15,8 @@ use crate::world::level::{Feature, MotionPiece, Seen, World, levels, meets_as_wo
 /// memory.
 ///
 /// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its lifts and bumpers in it.
-/// Hits name a solid by its key: [`Solids::key_of`](crate::Solids::key_of) reads it. Bodies slide on the solids, bounce
-/// off them, and stand on them as on any level.
+/// Hits name a solid by its key: [`Solids::key_of`](crate::Solids::key_of) reads it. Bodies slide
+/// on the solids, bounce off them, and stand on them as on any level.
 ///
 /// Cost: an overlap test compares each bounding box, and then the sides of those that are near.
 /// Reading the surface takes some hundred instructions for each corner of a near solid, for its

@@ -56,8 +56,8 @@ rays! {
         /// in neither.
         ///
         /// The hit's [`cell`](RayHit::cell) names the solid, see
-        /// [`Solids::key_of`](crate::Solids::key_of). Of several at one moment that is the one whose
-        /// normal is more along x, then a straight side before a round one, then the smaller
+        /// [`Solids::key_of`](crate::Solids::key_of). Of several at one moment that is the one
+        /// whose normal is more along x, then a straight side before a round one, then the smaller
         /// coordinates, then the smaller key.
         ///
         /// Cost: a comparison of boxes for each solid. For each side or arc of a near one a few

@@ -205,8 +205,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///
     /// `shape` is the body before the call that wrote the trail. As
     /// [`tiles_swept`](Self::tiles_swept), for a way of several parts:
-    /// [`Mover::move_along`](crate::Mover::move_along) has an example. Cost: one look-up for each cell of
-    /// the bounding box of the way, and one exact test for each part.
+    /// [`Mover::move_along`](crate::Mover::move_along) has an example. Cost: one look-up for each
+    /// cell of the bounding box of the way, and one exact test for each part.
     ///
     /// # Errors
     /// As [`flags_swept`](Self::flags_swept).
