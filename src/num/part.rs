@@ -28,12 +28,12 @@ impl Toi {
         if raw <= Self::ONE.0 { Some(Self(raw)) } else { None }
     }
 
-    /// For values that are at most one by construction.
+    /// From parts in 2^30 that are at most one by construction.
     pub(crate) const fn exact(raw: u32) -> Self {
         Self(raw)
     }
 
-    /// For values that the caller has bounded.
+    /// From parts in 2^30 that the caller has bounded.
     pub(crate) const fn clamped(raw: u32) -> Self {
         Self(if raw < Self::ONE.0 { raw } else { Self::ONE.0 })
     }
@@ -65,11 +65,11 @@ impl Toi {
         if d < 0 { part.wrapping_neg() } else { part }
     }
 
-    /// This part of a component `d`, rounded. `m` plus it is no nearer to zero than the exact sum
-    /// where `away`, else no farther.
+    /// This part of a component `d`, rounded. The sum of `m` and the part is no nearer to zero than
+    /// the exact sum if `away` is true, else no farther.
     ///
-    /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away;
-    /// on zero and beyond it is one more that does.
+    /// While the sum is on the side from which `d` comes, rounding toward zero keeps it away. On
+    /// zero and beyond, one more unit does.
     #[inline]
     pub(crate) const fn of_raw_beside(self, m: i32, d: i32, away: bool) -> i32 {
         if LONG {
@@ -82,7 +82,8 @@ impl Toi {
         self.of_words_beside(m, d, away)
     }
 
-    /// The same in words. Each hit of a corner or an arc asks twice, so it is apart.
+    /// The part in 32-bit words. A separate function, because each hit of a corner or an arc calls
+    /// it twice.
     #[inline(never)]
     const fn of_words_beside(self, m: i32, d: i32, away: bool) -> i32 {
         let product = super::umul(d.unsigned_abs(), self.0);
@@ -134,7 +135,7 @@ impl Ratio {
         Some(Self(floor.wrapping_add((rest >= den as u64 - rest) as u32)))
     }
 
-    /// Hundredths, to nearest; `None` above 100.
+    /// A ratio of `n` hundredths, rounded to nearest; `None` above 100.
     ///
     /// ```
     /// use tilesat::{Ratio, fx};
@@ -158,7 +159,7 @@ impl Ratio {
         self.0
     }
 
-    /// One less this; exact.
+    /// One minus this ratio; exact.
     #[must_use]
     pub const fn complement(self) -> Self {
         Self(Self::ONE.0 - self.0)

@@ -7,9 +7,9 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// A position or displacement in units.
 ///
-/// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the
-/// ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods return `None`
-/// instead.
+/// Methods have the names of glam, if glam has them. Operators never panic and never wrap: they
+/// saturate at the ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods
+/// return `None` instead.
 ///
 /// | operator | rounding | overflow, and division by zero |
 /// |---|---|---|
@@ -33,7 +33,8 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 pub struct Vec2 {
     /// Horizontal component; grows to the right.
     pub x: Fx,
-    /// Vertical component. You choose whether it grows down or up; rows of a tile map follow it.
+    /// Vertical component. You choose whether it grows down or up; the rows of a tile map follow
+    /// it.
     pub y: Fx,
 }
 
@@ -60,8 +61,8 @@ impl Vec2 {
         Self::from_raw((x as i32) << 16, (y as i32) << 16)
     }
 
-    /// A vector from floating point, each component rounded to nearest, ties to even; `None` where
-    /// one is not finite or does not fit 16.16.
+    /// A vector from floating point, each component rounded to nearest, ties to even. `None` if one
+    /// is not finite or does not fit 16.16.
     ///
     /// No query uses it. It computes with integers only, so a chip without an FPU links no
     /// floating-point routine.
@@ -70,7 +71,7 @@ impl Vec2 {
         Some(Self { x: Fx::checked_from_num(x)?, y: Fx::checked_from_num(y)? })
     }
 
-    /// Both components as floating point, rounded to nearest, ties to even: for drawing.
+    /// Both components as floating point, rounded to nearest, ties to even. Use it for drawing.
     ///
     /// Exact below 256 units: an `f32` has 24 bits.
     ///
@@ -82,7 +83,8 @@ impl Vec2 {
         (self.x.to_num(), self.y.to_num())
     }
 
-    /// The whole units below, toward negative infinity: the pixel that holds the point.
+    /// Both components in whole units, rounded toward negative infinity: the pixel that holds the
+    /// point.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};
@@ -187,19 +189,19 @@ impl Vec2 {
         Self::from_raw(saturated(quotient(x, divisor)), saturated(quotient(y, divisor)))
     }
 
-    /// `self + rhs`; `None` where a component does not fit 16.16.
+    /// `self + rhs`; `None` if a component does not fit 16.16.
     #[must_use]
     pub const fn checked_add(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_add(rhs.x), self.y.checked_add(rhs.y))
     }
 
-    /// `self - rhs`; `None` where a component does not fit 16.16.
+    /// `self - rhs`; `None` if a component does not fit 16.16.
     #[must_use]
     pub const fn checked_sub(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_sub(rhs.x), self.y.checked_sub(rhs.y))
     }
 
-    /// `self * factor`, each component rounded toward zero; `None` where one does not fit 16.16.
+    /// `self * factor`, each component rounded toward zero; `None` if one does not fit 16.16.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};
@@ -212,7 +214,7 @@ impl Vec2 {
         both(fitting(product(x, factor)), fitting(product(y, factor)))
     }
 
-    /// `self / divisor`, each component rounded toward zero; `None` where one does not fit 16.16,
+    /// `self / divisor`, each component rounded toward zero; `None` if one does not fit 16.16,
     /// or the divisor is zero.
     #[must_use]
     pub const fn checked_div(self, divisor: Fx) -> Option<Self> {
@@ -286,7 +288,7 @@ impl Div<Fx> for Vec2 {
     }
 }
 
-/// Exact, or saturated.
+/// Exact, or saturates.
 impl Mul<i32> for Vec2 {
     type Output = Self;
     fn mul(self, factor: i32) -> Self {
@@ -295,7 +297,7 @@ impl Mul<i32> for Vec2 {
     }
 }
 
-/// Rounded toward zero; by zero as [`saturating_div`](Vec2::saturating_div).
+/// Rounded toward zero; division by zero as in [`saturating_div`](Vec2::saturating_div).
 impl Div<i32> for Vec2 {
     type Output = Self;
     fn div(self, divisor: i32) -> Self {
@@ -343,7 +345,7 @@ impl Neg for Vec2 {
     }
 }
 
-/// Width, precision and sign are those of each component, as with a tuple.
+/// The options for width, precision and sign apply to each component, as with a tuple.
 ///
 /// ```
 /// let v = tilesat::Vec2::from_ints(1, -2);
@@ -364,15 +366,15 @@ impl From<(Fx, Fx)> for Vec2 {
     }
 }
 
-/// Whole units. Exact.
+/// A vector of whole units. Exact.
 impl From<(i16, i16)> for Vec2 {
     fn from((x, y): (i16, i16)) -> Self {
         Self::from_ints(x, y)
     }
 }
 
-/// Whole units. Fails if one does not fit 16.16 (-32768 to 32767). The error's value is then the
-/// end of the range that it exceeds.
+/// A vector of whole units. Fails if one does not fit 16.16 (-32768 to 32767). The value of the
+/// error is then the end of the range that it exceeds.
 ///
 /// ```
 /// use tilesat::{Quantity, Vec2};

@@ -9,7 +9,7 @@ use crate::shape::{Aabb, Circle, Segment};
 /// The nearest points of two shapes that are apart.
 ///
 /// `Some((a, b))`: a point of A and one of B whose distance is the distance of the shapes, each
-/// component rounded to nearest: a point may be half a raw unit off its shape. `None` where the
+/// component rounded to nearest: a point may be half a raw unit off its shape. `None` if the
 /// shapes touch or overlap; ask [`contact`](super::Contacts::contact) then. In the order (B, A) the
 /// same two points are given, exchanged.
 ///
@@ -30,7 +30,7 @@ use crate::shape::{Aabb, Circle, Segment};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait ClosestPoint<B: ?Sized> {
-    /// A point of this shape and one of `b` that are as near as the shapes are; `None` where those
+    /// A point of this shape and one of `b` that are as near as the shapes are; `None` if those
     /// touch.
     #[must_use]
     fn closest_points(&self, b: &B) -> Option<(Vec2, Vec2)>;

@@ -11,7 +11,7 @@
 //! | [`Manifolds`] | at which one or two points do they rest? | `Option<`[`Manifold`]`>` | as a contact |
 //! | [`Contains`] | is all of B in A? | `bool` | exact, closed |
 //! | [`Distance`] | how far apart? | [`Fx`](crate::Fx) | down, 0 where they touch |
-//! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
+//! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` if they touch |
 //! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
 //! You can ask all but `OverlapsFrom` of every ordered pair of [`Aabb`](crate::Aabb),

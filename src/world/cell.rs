@@ -225,7 +225,7 @@ impl Way {
     }
 
     /// The part of the motion after which the body comes to the next strip, as a numerator and a
-    /// denominator; `None` where the way ends.
+    /// denominator; `None` if the way ends.
     #[inline]
     pub(crate) const fn next_part(&self) -> Option<(u32, u32)> {
         if !self.goes_on {

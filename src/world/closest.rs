@@ -223,7 +223,7 @@ enum Preference {
 }
 
 impl Spot {
-    /// `None` where the feature is not the nearest anyway.
+    /// `None` if the feature is not the nearest anyway.
     #[inline(never)]
     fn of<W: World>(p: Raw, feature: &Feature, inside: bool) -> Option<Self> {
         let found = |measure, place| Some(Self { measure, place });

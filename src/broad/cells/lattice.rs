@@ -97,7 +97,7 @@ impl At {
 }
 
 impl Lattice {
-    /// `None` where the side is not a power of two from 2 to 2^28.
+    /// `None` if the side is not a power of two from 2 to 2^28.
     pub(in crate::broad) const fn new(origin: Vec2, side: i32) -> Option<Self> {
         if side < 2 || side > DOMAIN / 2 || side & (side - 1) != 0 {
             return None;

@@ -76,7 +76,7 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// point is outside the [domain](crate::num::DOMAIN). A motion may lead out of the domain, and so
 /// may the displacement; `translated` says so.
 pub trait CastShape<B: ?Sized>: Enter<B> {
-    /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` where it does not start to
+    /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` if it does not start to
     /// overlap.
     ///
     /// # Errors

@@ -168,7 +168,7 @@ const fn parallel_to_unit(v: Raw) -> Axis {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait Contacts<B: ?Sized> {
-    /// How this shape (A) overlaps `b` (B); `None` where it does not.
+    /// How this shape (A) overlaps `b` (B); `None` if it does not.
     #[must_use]
     #[doc(alias("collide", "manifold"))]
     fn contact(&self, b: &B) -> Option<Contact>;

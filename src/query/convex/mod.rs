@@ -75,7 +75,7 @@ pub use manifold::{Manifold, ManifoldPoint, Part};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait Manifolds<B: ?Sized> {
-    /// The points at which this shape (A) and `b` (B) overlap; `None` where they do not.
+    /// The points at which this shape (A) and `b` (B) overlap; `None` if they do not.
     #[must_use]
     fn manifold(&self, b: &B) -> Option<Manifold>;
 }
@@ -321,7 +321,7 @@ macro_rules! points {
             }
 
             /// The first point of the shape that a ray from `origin` along `motion` meets, or
-            /// `None` where it ends before.
+            /// `None` if it ends before.
             ///
             /// Exact, by the rules of [`Aabb::cast_ray`] for sharp corners and of
             /// [`Circle::cast_ray`] for rounded shapes. A hit is where the ray comes in, at the

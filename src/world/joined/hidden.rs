@@ -97,7 +97,7 @@ fn common_cone(cone: (Axis, Axis), p: Raw, other: &dyn Beside) -> Option<(Axis, 
 }
 
 /// The part of a cone (of up to a half turn) with `n . h >= 0`, as the edges whose normals bound
-/// it; `None` where that has no inside.
+/// it; `None` if that has no inside.
 fn clipped((e_in, e_out): (Axis, Axis), h: Axis) -> Option<(Axis, Axis)> {
     let (start, end) = (normal(e_in).dot(h), normal(e_out).dot(h));
     if start >= 0 && end >= 0 {
@@ -228,7 +228,7 @@ fn covered<J: World>(edge: &FaceSegment, other: &dyn Beside) -> bool {
 }
 
 /// Whether the points just in front of a face's end `p` are in the other solid; `along` leads from
-/// there along the face, `n` is its normal. `None` where an arc ends there too.
+/// there along the face, `n` is its normal. `None` if an arc ends there too.
 ///
 /// From the direction `along`, tilted to the front by an infinitesimal, the next part of the
 /// surface to the left has the place on its right.

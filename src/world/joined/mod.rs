@@ -230,7 +230,7 @@ impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
 
 rays! {
     [A: RayWorld, B: RayWorld] Joined<'_, A, B> {
-        /// The first point of either level's solid that a ray meets, or `None` where it ends
+        /// The first point of either level's solid that a ray meets, or `None` if it ends
         /// before.
         ///
         /// It follows the rules of the levels' own `cast_ray`, for the faces that

@@ -50,7 +50,7 @@ pub(in crate::world) trait RayLevel: RayPieces {
     fn skip(&self, _: &mut Walk) {}
 
     /// All pieces that have a point in the closed cell. Where each piece has one cell, those of
-    /// this one. Those that the motion `d` does not oppose may be missing. `None` where there are
+    /// this one. Those that the motion `d` does not oppose may be missing. `None` if there are
     /// none, as early as possible, and for cells beyond the bands.
     fn pieces(&self, x: i32, y: i32, d: Raw) -> Option<Self::Pieces<'_>>;
 

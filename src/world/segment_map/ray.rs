@@ -40,7 +40,7 @@ impl<'a> SegmentMap<'a> {
 rays! {
     [] SegmentMap<'_> {
         /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or
-        /// `None` where it ends before.
+        /// `None` if it ends before.
         ///
         /// Every decision is exact, by the rules of
         /// [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: it hits

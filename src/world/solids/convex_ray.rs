@@ -46,7 +46,7 @@ impl<'a, S: SolidShape> ConvexSolids<'a, S> {
 rays! {
     [S: SolidShape] ConvexSolids<'_, S> {
         /// The first point of the closed solids, where they are now, that a ray from `origin` along
-        /// `motion` meets. `None` where it ends before.
+        /// `motion` meets. `None` if it ends before.
         ///
         /// Every decision is exact, which of several solids comes first too. Each solid is met by
         /// itself, by the rules of its shape's own `cast_ray`: a ray that touches a sharp corner

@@ -40,7 +40,7 @@ impl<'a> Solids<'a> {
 rays! {
     [] Solids<'_> {
         /// The first point of the closed solids, where they are now, that a ray from `origin` along
-        /// `motion` meets. `None` where it ends before.
+        /// `motion` meets. `None` if it ends before.
         ///
         /// Every decision is exact, by the rules of
         /// [`TileMap::cast_ray`](crate::TileMap::cast_ray), of the union of the boxes: a ray along

@@ -184,7 +184,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Some((id, if ANY { !matches!(kind.shape, TileShape::Empty) } else { kind.is_full() }))
     }
 
-    /// The floor of `e / cell`, and whether nothing was left over; `None` where it is not at least
+    /// The floor of `e / cell`, and whether nothing was left over; `None` if it is not at least
     /// -2^30 and below 2^31. It is for the lead in a cell of the map, except in a border cell that
     /// stands for a band.
     #[inline]
