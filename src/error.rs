@@ -7,8 +7,9 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-// A word: in a `Result`, an error lies over the answer. A byte in it would split the copies of the
-// answer at an odd address, and a Cortex-M0 then copies byte by byte: 17 % of a hero's frame.
+// A word, because in a `Result` an error shares the memory of the answer. A byte in it would split
+// the copies of the answer at an odd address, and a Cortex-M0 then copies byte by byte: 17 % of a
+// hero's frame.
 #[repr(u32)]
 pub enum Quantity {
     /// A horizontal coordinate.
@@ -135,7 +136,7 @@ pub enum PolygonError {
     },
     /// There are more corners than the polygon can hold.
     TooMany {
-        /// The room.
+        /// The number of corners that the polygon can hold.
         capacity: usize,
     },
     /// A point is outside the domain.

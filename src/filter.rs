@@ -1,4 +1,4 @@
-//! Layers: which bodies have to do with which.
+//! Layers: which bodies pair with which.
 
 use core::ops::{BitAnd, BitOr, Not};
 

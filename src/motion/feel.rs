@@ -1,5 +1,5 @@
-//! What a character takes and answers: the player's input, the numbers that decide how it moves,
-//! and what happened in a frame.
+//! The input and the results of a character: the player's buttons, the numbers that decide how it
+//! moves, and what happened in a frame.
 
 use super::{Hits, SlopeSpeed};
 use crate::num::{Axis, Fx};
@@ -8,14 +8,14 @@ use crate::num::{Axis, Fx};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Input {
-    /// The speed to run at, in units per frame: negative to the left. On a moving solid it counts
-    /// as seen from there, and after leaving one as [`Feel::on_leave`] says.
+    /// The speed to run at, in units per frame: negative to the left. On a moving solid it is
+    /// relative to the solid, and after leaving one as [`Feel::on_leave`] says.
     pub run: Fx,
     /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
-    /// Whether to drop through one-way floors in this frame. One frame is enough for the floor that
-    /// it stands on; while it stays true, it passes all that follow. On a one-way floor it wins
-    /// over `jump`.
+    /// Whether to drop through one-way floors in this frame. One frame is enough for the floor on
+    /// which the character stands. While it stays true, the character passes all floors that
+    /// follow. On a one-way floor it wins over `jump`.
     ///
     /// After one frame of `drop` on a one-way solid, the character keeps passing it until its feet
     /// are below by [`Feel::snap`] plus the solid's downward motion. Until then the character
@@ -24,7 +24,7 @@ pub struct Input {
     pub drop: bool,
 }
 
-/// What becomes of the motion of a [`Solid`](crate::Solid) that a [`Character`](crate::Character)
+/// How a [`Character`](crate::Character) uses the motion of a [`Solid`](crate::Solid) that it
 /// leaves, by a jump or over its edge.
 ///
 /// ```
@@ -43,7 +43,7 @@ pub struct Input {
 ///     }
 ///     Ok(hero.velocity.x)
 /// };
-/// assert_eq!(flies(OnLeave::Keep)?, fx!(0.5)); // -1.5, seen from the lift
+/// assert_eq!(flies(OnLeave::Keep)?, fx!(0.5)); // -1.5, relative to the lift
 /// assert_eq!(flies(OnLeave::Add)?, fx!(-1.5));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -57,8 +57,8 @@ pub enum OnLeave {
     /// [`Input::run`] is relative to the solid, too.
     #[default]
     Keep,
-    /// It is added once. Then [`Feel::air_acceleration`] brings the speed to [`Input::run`] as seen
-    /// from the level.
+    /// The motion is added once. Then [`Feel::air_acceleration`] brings the speed to
+    /// [`Input::run`], relative to the level.
     Add,
     /// Like [`Add`](Self::Add), but a jump ignores the downward part of the solid's motion, so it
     /// rises as high as from still ground.
@@ -78,10 +78,10 @@ pub enum OnLeave {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Feel {
-    /// The velocity gained per frame. Positive pulls toward larger y, as on a screen. Negative
-    /// pulls the other way, and "up" follows.
+    /// The velocity gained per frame. A positive value pulls toward larger y, as on a screen. A
+    /// negative one pulls toward smaller y, and "up" follows.
     pub gravity: Fx,
-    /// The fastest fall. Off a solid that sinks it is faster by the speed of the solid.
+    /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid.
     pub fall: Fx,
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
     /// 2 in n frames.
@@ -89,7 +89,7 @@ pub struct Feel {
     /// The speed that a rising jump keeps when the button is released. If it equals `jump`, all
     /// jumps are equally high.
     pub jump_cut: Fx,
-    /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
+    /// For how many frames the body can still jump after it walked off a floor or left a wall.
     pub coyote: u8,
     /// For how many frames after a press the jump may still start. With zero, only in the frame of
     /// the press. If the button is already released at the landing, the jump is cut from its first
@@ -103,7 +103,7 @@ pub struct Feel {
     /// How far the body follows falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
     /// One and a half times the running speed is always enough for tiles.
     pub snap: Fx,
-    /// The highest step that it climbs: [`Walker::with_step`](crate::Walker::with_step). The
+    /// The highest step that the body climbs: [`Walker::with_step`](crate::Walker::with_step). The
     /// default stops at half of a tile of 16.
     pub step: Fx,
     /// How fast it walks on slopes.
@@ -112,16 +112,16 @@ pub struct Feel {
     /// must have run against the wall in the last [`coyote`](Self::coyote) frames. The same wall
     /// can be used again, so a small speed lets it climb a single wall.
     pub wall_jump: Option<Fx>,
-    /// The fastest fall while it runs against a wall. `None`: as elsewhere.
+    /// The fastest fall while the body runs against a wall. `None`: the same as elsewhere.
     pub wall_slide: Option<Fx>,
-    /// What becomes of the motion of a solid that it leaves.
+    /// How the motion of a solid is used that the body leaves.
     pub on_leave: OnLeave,
 }
 
 impl Feel {
-    /// Gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames, acceleration
-    /// 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump and wall slide
-    /// are off. The motion of a solid is [kept](OnLeave::Keep).
+    /// The default: gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames,
+    /// acceleration 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump
+    /// and wall slide are off. The motion of a solid is [kept](OnLeave::Keep).
     pub const DEFAULT: Self = Self {
         gravity: Fx::from_bits(0x4000), // 0.25
         fall: Fx::from_bits(6 << 16),
@@ -175,14 +175,14 @@ pub enum Outcome {
     /// a solid that squashed it counts as level. [`step_on`](crate::Character::step_on) returns
     /// [`Squashed`](Self::Squashed) instead.
     Stuck,
-    /// It is entirely below its limits, or beside them. It may fly above them.
+    /// The body is entirely below its limits, or beside them. It may be above them.
     OutOfLevel,
 }
 
 /// What happened to a character in one frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use = "the outcome says whether the character lives"]
-// Words first, as in a `Hit`.
+// Words come first, as in a `Hit`.
 #[repr(C)]
 pub struct Step {
     /// The hits of the frame.
@@ -192,7 +192,7 @@ pub struct Step {
     /// Whether it jumped.
     pub jumped: bool,
     /// Whether it landed on a floor. It may have slid off the end of that floor in the same frame.
-    /// Then it can still jump, as after it [walks](Feel::coyote) off one.
+    /// It can then still jump, as after [walking](Feel::coyote) off a floor.
     pub landed: bool,
     /// Whether a wall blocks it, or a ceiling that comes down to its floor.
     #[doc(alias = "is_on_wall")]
@@ -200,8 +200,8 @@ pub struct Step {
     /// Whether its head hit a ceiling.
     #[doc(alias = "is_on_ceiling")]
     pub ceiling: bool,
-    /// The flags of all tiles, segments and solids that it hit, or-ed. A floor that it stands on,
-    /// or walks on to, is no hit: see [`Character::floor`](crate::Character::floor).
+    /// The flags of all tiles, segments and solids that it hit, or-ed. A floor on which it stands
+    /// or walks is no hit: see [`Character::floor`](crate::Character::floor).
     pub flags: u8,
 }
 

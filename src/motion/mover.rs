@@ -44,12 +44,12 @@ impl Mover {
     pub const ITERATIONS: u32 = 4;
 
     /// The most cells that one motion may visit, counted for each of its
-    /// [pieces](Self::move_and_slide). Longer motions, and motions of larger bodies, are refused.
-    /// The limit is a square of 512 cells a side, or 4096 units per call for a body of one cell
-    /// where a cell is a unit.
+    /// [pieces](Self::move_and_slide). A motion that visits more cells is refused. The limit is a
+    /// square of 512 cells a side, or 4096 units per call for a body of one cell where a cell is a
+    /// unit.
     pub const CELLS: u32 = 1 << 18;
 
-    /// A mover without an "up", for games seen from above: every hit is a wall.
+    /// A mover without an "up", for top-down games: every hit is a wall.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -72,14 +72,13 @@ impl Mover {
 }
 
 impl<S: Law> Mover<S> {
-    /// The same mover for bodies with friction and restitution. A mover without a surface links no
-    /// code for them.
+    /// Adds friction and restitution. A mover without a surface links no code for them.
     ///
     /// Restitution acts only with [`Response::Bounce`], and a new mover slides: choose that
     /// response too. Friction acts with every response but [`Response::Touch`].
     ///
-    /// The surface is part of the mover, so it can differ from call to call: by the body, or by the
-    /// flags of the tile that the body stood on.
+    /// The surface is a part of the mover, so you can choose it for each call: by the body, or by
+    /// the flags of the tile on which the body stood.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Mover, Ratio, Response, Surface};
@@ -93,7 +92,7 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce, limit, drop_through, inside, surface }
     }
 
-    /// The same mover with its own responses to surfaces with flags.
+    /// Sets the responses to surfaces with flags.
     ///
     /// A mover without such a table links no code for it. Call this after
     /// [`with_surface`](Self::with_surface), whose mover has no table.
@@ -104,8 +103,8 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce, limit, drop_through, inside, surface: ByFlags { surface, responses } }
     }
 
-    /// The same mover with a function that says how it responds to each hit: by the flags of a
-    /// tile, the [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` is the
+    /// Sets a function that returns the response to each hit: by the flags of a tile, the
+    /// [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` means the
     /// mover's own response. A mover without such a function links no code for it.
     ///
     /// It must be a pure function of the hit. To learn what a body passed, see
@@ -141,15 +140,15 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce: Bounce::LINKED, limit, drop_through, inside, surface }
     }
 
-    /// The same mover with another response.
+    /// Sets the response to hits.
     #[must_use]
     pub const fn with_response(self, response: Response) -> Self {
         let bounce = if matches!(response, Response::Bounce) { Bounce::LINKED } else { self.bounce };
         Self { response, bounce, ..self }
     }
 
-    /// The same mover with another limit between floor and wall. The steepest floor rises by `rise`
-    /// over `run`; the default is 1 : 1 (45 degrees).
+    /// Sets the limit between floor and wall. The steepest floor rises by `rise` over `run`; the
+    /// default is 1 : 1 (45 degrees).
     ///
     /// Exact: a slope as steep as the limit is floor. A surface that faces down at most as steeply
     /// is ceiling, and the rest is wall. With `run` 0 every surface that faces up at all is floor.
@@ -165,8 +164,8 @@ impl<S: Law> Mover<S> {
         Self { limit: SlopeLimit { rise, run }, ..self }
     }
 
-    /// The same mover that passes one-way faces, or no longer does, with any response. Use it while
-    /// a player drops through a platform. Hits report the faces as with [`Response::DropThrough`].
+    /// Sets whether the mover passes one-way faces, with any response. Use it while a player drops
+    /// through a platform. Hits report the faces as with [`Response::DropThrough`].
     ///
     /// Gravity must act in that frame: the body passes only what it moves into. A body that stands
     /// without a downward velocity stays on the platform. One frame is enough if it moves into the
@@ -190,7 +189,7 @@ impl<S: Law> Mover<S> {
         Self { drop_through, ..self }
     }
 
-    /// The same mover with another answer for bodies that already overlap the level.
+    /// Sets the treatment of bodies that already overlap the level.
     ///
     /// ```
     /// use tilesat::{Aabb, Mover, TileKind, TileKinds, TileMap, Vec2, motion::StartInside};
@@ -237,7 +236,7 @@ impl<S: Law> Mover<S> {
     /// or bounce off the other side. Translated scenes give the same bits. So do scenes with x and
     /// y exchanged, except for ties (x goes first) and a raw unit at corners.
     ///
-    /// Cost: where all cells under the motion are empty, one look at each. Otherwise at most
+    /// Cost: one look at each cell under the motion, if all are empty. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A
     /// fast body needs as many look-ups even far from the map. Each sweep needs one or two exact
     /// overlap tests; [`Moved::work`] counts them. No division instruction; one square root for
@@ -294,14 +293,14 @@ impl<S: Law> Mover<S> {
         Ok(run)
     }
 
-    /// Whether the body overlaps the level, if that is no error.
+    /// Whether the body overlaps the level, if the mover ignores that.
     pub(super) fn is_inside<W: World, B: Body>(&self, world: &W, body: &B, work: &mut Work) -> Result<bool, Stuck> {
         work.checks += 1;
         let inside = body.overlaps_world(world);
         self.check_start(body, inside).map(|()| inside)
     }
 
-    /// Refuses a body that starts inside the solid, if that is an error.
+    /// Refuses a body that starts inside the solid, if the mover reports that.
     pub(super) fn check_start<B: Body>(&self, body: &B, inside: bool) -> Result<(), Stuck> {
         let stuck = inside && self.inside == StartInside::Report;
         if stuck { Err(Stuck { at: body.position().raw() }) } else { Ok(()) }
@@ -337,7 +336,7 @@ impl<S: Law> Mover<S> {
         first: &First,
     ) -> bool {
         let mut hit = first.hit::<B, W>(&run.moved.body, d);
-        // Whether to choose among the ways on, and the motion made so far.
+        // Whether to choose among the free directions, and the motion made so far.
         let (mut chooses, mut made) = (false, Raw::ZERO);
         if may_be_askew::<B, W>() && run.creeps {
             (chooses, made) = (true, self.creep::<W, B>(world, run, d, hit.take()));

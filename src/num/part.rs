@@ -73,7 +73,7 @@ impl Toi {
     #[inline]
     pub(crate) const fn of_raw_beside(self, m: i32, d: i32, away: bool) -> i32 {
         if LONG {
-            // Of positive sums, away from zero is up; the sum and the part lack the same.
+            // For positive sums, away from zero is up; the sum and the part lose the same fraction.
             let part = (d as i64).wrapping_mul(self.0 as i64);
             let sum = ((m as i64) << 30).wrapping_add(part);
             let up = if (sum > 0) == away { (1 << 30) - 1 } else { 0 };

@@ -40,7 +40,7 @@ pub enum AnyShape<const N: usize> {
     Segment(Segment),
     /// A capsule, in any direction.
     Capsule(Capsule),
-    /// A turned box.
+    /// An oriented box.
     OrientedBox(OrientedBox),
     /// A convex polygon.
     Polygon(ConvexPolygon<N>),

@@ -1,4 +1,4 @@
-//! A few shapes that are one.
+//! Several shapes that act as one.
 
 use super::{Aabb, AnyShape, Capsule, Circle, ConvexParts, ConvexPolygon, OrientedBox, Segment};
 use crate::error::RangeError;

@@ -1,4 +1,4 @@
-//! A box that may be turned.
+//! A box in any direction.
 
 use super::Aabb;
 use crate::error::{Quantity, RangeError};

@@ -1,4 +1,4 @@
-//! A simple polygon as convex parts.
+//! Cuts a simple polygon into convex parts.
 //!
 //! One part after the other is cut off along a diagonal between two corners. A part starts with an
 //! ear, and grows by the triangles beside it as long as it stays convex. No new corner is made, so

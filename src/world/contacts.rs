@@ -269,7 +269,7 @@ contacts_of! {
     /// which is cleared first; as [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [W: World] Placed<'_, W>
 }
 
@@ -278,7 +278,7 @@ contacts_of! {
     /// which is cleared first; as [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [] Solids<'_>
 }
 
@@ -287,7 +287,7 @@ contacts_of! {
     /// which is cleared first; as [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [C: SolidShape] ConvexSolids<'_, C>
 }
 

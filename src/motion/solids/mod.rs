@@ -34,11 +34,11 @@ use shove::{Clearance, Shove};
 pub enum Ride {
     /// It stands on no solid, and no solid moves into it.
     Free,
-    /// It stands on a solid and went with it, as far as the level and the other solids let it.
+    /// It stands on a solid and moved with it, as far as the level and the other solids allow.
     Carried,
     /// It was in the way of a moving solid, and yielded.
     Pushed {
-        /// The key of the solid that approaches it fastest; of two, the smaller one.
+        /// The key of the solid that approaches it fastest; on a tie, the smaller key.
         by: u16,
         /// Out of that solid, toward the body; not reduced at a corner.
         normal: Axis,
@@ -46,7 +46,7 @@ pub enum Ride {
     /// It was in the way and could not yield: the level or another solid is behind it. It stays
     /// where it is, and overlaps the solid once that moves.
     Squashed {
-        /// The key of the solid that approaches it fastest; of two, the smaller one.
+        /// The key of the solid that approaches it fastest; on a tie, the smaller key.
         by: u16,
         /// Out of that solid, toward the body.
         normal: Axis,

@@ -51,16 +51,16 @@ pub struct Walker {
     pub(crate) speed: SlopeSpeed,
 }
 
-/// Where a walker ended up.
+/// The result of one frame of a walker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Walked<B> {
     /// The motion. On a floor its velocity is level (across "up"): the speed for the next frame. In
     /// the air it is the velocity at which it left the ground, less the part that hits took.
     ///
-    /// Its `wall` is true if a wall still blocks after the last step: the sign to turn round. The
-    /// face of a step is among its `hits` either way.
+    /// Its `wall` is true if a wall still blocks after the last step; a patrol turns round then.
+    /// The face of a step is among its `hits` in any case.
     pub moved: Moved<B>,
-    /// The floor that it stands on. Pass it to the next call.
+    /// The floor on which it stands. Pass it to the next call.
     pub floor: Option<Support>,
     /// Whether it met a floor in this frame. If [`floor`](Self::floor) is `None`, it has left that
     /// floor again: for example, it landed on the edge of a platform and slid off.
@@ -87,9 +87,9 @@ impl Walker {
         Self { mover, snap: 0, step: 0, speed: SlopeSpeed::Projected }
     }
 
-    /// The same walker that follows ground which falls by up to `length` per call. One and a half
-    /// times its speed is enough for slopes of 45 degrees and the bends between two of them. It
-    /// also follows ledges of exactly that height down.
+    /// Sets how far the walker follows ground that falls: by up to `length` units per call. One and
+    /// a half times its speed is enough for slopes of 45 degrees and the bends between two of them.
+    /// The walker also follows ledges of exactly that height down.
     ///
     /// With moving solids, pass the same length to [`Mover::ride`] as `follow` while the body
     /// stands. A lift that sinks by more than `follow` and less than the snap would otherwise pull
@@ -123,7 +123,7 @@ impl Walker {
         }
     }
 
-    /// The same walker that climbs steps of up to `height`, onto level ground and onto slopes.
+    /// Sets the highest step that the walker climbs, in units, onto level ground and onto slopes.
     ///
     /// ```
     /// use tilesat::{AllShapes, Aabb, Axis, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker, fx};
@@ -149,14 +149,13 @@ impl Walker {
         }
     }
 
-    /// The same walker with another speed on slopes.
+    /// Sets the speed on slopes.
     #[must_use]
     pub const fn with_slope_speed(self, speed: SlopeSpeed) -> Self {
         Self { speed, ..self }
     }
 
-    /// The same walker that drops through one-way floors, or no longer does: see
-    /// [`Mover::with_drop_through`].
+    /// Sets whether the walker drops through one-way floors: see [`Mover::with_drop_through`].
     #[must_use]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
         Self { mover: self.mover.with_drop_through(drop_through), ..self }
@@ -168,8 +167,8 @@ impl Walker {
     /// **On a floor**, unless the velocity rises, the walking speed is the velocity across "up".
     /// The downward part does not count, so nothing slips. The body follows the floor up and down
     /// where it bends. At a wall, at ground steeper than the slope limit, and under a ceiling it
-    /// stops, and its velocity is zero. If the ground falls away by more than the snap, it flies on
-    /// with its velocity along the floor.
+    /// stops, and its velocity is zero. If the ground falls away by more than the snap, it leaves
+    /// the floor with its velocity along the floor.
     ///
     /// **In the air** it moves as [`Mover::move_and_slide`] until it meets a floor, where it walks
     /// for the rest of the frame. One thing differs: walls, and so steep slopes, take the velocity
@@ -177,13 +176,13 @@ impl Walker {
     /// applies there. A floor that neither carries the body nor lets it walk holds nothing up: the
     /// body falls past the foot of a ramp that a ceiling bars.
     ///
-    /// The way of a frame is never longer than the velocity, except for steps, snapping, and up to
-    /// 4 raw of rounding at joints. It is shorter by less than 2 raw on a slope of tiles, and by up
-    /// to 10 around the joints of slopes. A circle goes around a corner by the tangents to its way.
-    /// That costs up to a fifth of the frame's way once, and more if corners follow each other
-    /// within a frame. Through a quarter pipe it moves by chords, and stops before the slope passes
-    /// the limit. Mirrored scenes give mirrored bits, with the exceptions of
-    /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits to
+    /// The displacement of a frame is never longer than the velocity, except for steps, snapping,
+    /// and up to 4 raw of rounding at joints. It is shorter by less than 2 raw on a slope of tiles,
+    /// and by up to 10 around the joints of slopes. A circle moves around a corner by the tangents
+    /// to its path. That costs up to a fifth of the frame's displacement once, and more if corners
+    /// follow each other within a frame. Through a quarter pipe it moves by chords, and stops
+    /// before the slope passes the limit. Mirrored scenes give mirrored bits, with the exceptions
+    /// of [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits to
     /// boxes, circles and capsules.
     ///
     /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which
@@ -233,9 +232,9 @@ impl Walker {
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
         let Footing { floor, met_floor, stepped, snapped } = self.go(world, &mut run, floor)?;
-        // It came to a floor that neither carries it nor lets it walk: the foot of a ramp beside
-        // it, under a ceiling. That is no landing, and gravity may still have a way. A box stands
-        // on every level floor that it meets.
+        // It met a floor that neither carries it nor lets it walk: the foot of a ramp beside it,
+        // under a ceiling. That is not a landing, and gravity may still find a free direction. A
+        // box stands on every level floor that it meets.
         let stays = floor.is_none() && run.moved.floor && run.v.is_zero();
         if may_be_askew::<B, W>() && stays && run.moved.body.bounds() == body.bounds() {
             return self.fall(world, body, velocity);

@@ -168,7 +168,7 @@ impl<'a> Solids<'a> {
     /// [`Mover::move_along`](crate::Mover::move_along).
     ///
     /// # Errors
-    /// [`RangeError`] where the way leads out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the way leads out of the [domain](crate::num::DOMAIN).
     #[doc(alias = "cross")]
     pub fn on<'b, B: Probe>(
         &self,
