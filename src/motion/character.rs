@@ -40,8 +40,7 @@ use crate::world::{Solids, World};
 pub struct Character<B = Aabb> {
     /// The velocity, in units per frame. You may change it: a spring or a stomp sets `velocity.y`
     /// once, a ladder in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step)
-    /// adds gravity first: a launch at -4 rises by 3.75 in its first frame. (A jump at 4 rises by
-    /// 4.)
+    /// adds gravity first: a launch at -4 rises by 3.75 in its first frame, a jump at 4 by 4.
     ///
     /// If you set a faster rise than the last step left, the character leaves its floor as by a
     /// jump, without coyote time. Releasing the button does not cut this rise.
@@ -55,8 +54,7 @@ pub struct Character<B = Aabb> {
     pub(super) body: B,
     pub(super) limits: Aabb,
     pub(super) floor: Option<Support>,
-    /// The motion of the solid that it left. Relative to it, the flight is the same as from still
-    /// ground.
+    /// The motion of the solid that it left, relative to which it flies as from still ground.
     pub(super) base: Vec2,
     /// How far it still falls through one-way floors below the solid that it dropped from.
     pub(super) through: Fx,
@@ -271,8 +269,7 @@ impl<B: Body> Character<B> {
         self.downward(self.velocity.y)
     }
 
-    /// Updates the timers, and returns the velocity of this frame: gravity, launches, jumps and
-    /// running.
+    /// Updates the timers, and returns the velocity of this frame after all rules.
     pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
         let feel = self.feel;
         let stands = self.floor.is_some();
@@ -285,8 +282,7 @@ impl<B: Body> Character<B> {
         let keeps = stands || feel.on_leave == OnLeave::Keep;
         let base = if keeps { self.base } else { Vec2::ZERO };
         let base_fall = self.downward(base.y);
-        // After a sinking solid it falls faster by the solid's speed. Above a rising one it falls
-        // no slower.
+        // Off a sinking solid it falls faster by the solid's speed; above a rising one no slower.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
         let mut run = toward(self.velocity.x.saturating_sub(base.x), input.run, rate);
         let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;

@@ -33,8 +33,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 pub struct Vec2 {
     /// Horizontal component; grows to the right.
     pub x: Fx,
-    /// Vertical component. You choose whether it grows down or up; the rows of a tile map follow
-    /// it.
+    /// Vertical component. You choose whether it grows down or up; rows of a tile map follow it.
     pub y: Fx,
 }
 
@@ -83,8 +82,7 @@ impl Vec2 {
         (self.x.to_num(), self.y.to_num())
     }
 
-    /// Both components in whole units, rounded toward negative infinity: the pixel that holds the
-    /// point.
+    /// The pixel that holds the point: whole units, rounded toward negative infinity.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};

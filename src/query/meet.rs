@@ -9,7 +9,7 @@ const fn below<const CLOSED: bool>(a: i32, b: i32) -> bool {
     if CLOSED { a <= b } else { a < b }
 }
 
-/// [`less`] for squares of distances and of radii.
+/// [`below`] for squares of distances and of radii.
 #[inline(always)]
 pub(crate) const fn is_within<const CLOSED: bool>(square: u64, limit: u64) -> bool {
     square < limit || (CLOSED && square == limit)

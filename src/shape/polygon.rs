@@ -51,9 +51,9 @@ impl<const N: usize> ConvexPolygon<N> {
     /// ```
     ///
     /// # Errors
-    /// [`PolygonError`]: fewer than three or more than `N` corners, one outside of the [domain](crate::num::DOMAIN),
-    /// repeated, on a line with its neighbours, or turning the other way than the first; a path
-    /// that winds round twice.
+    /// [`PolygonError`]: fewer than three or more than `N` corners, or a path that winds around
+    /// twice. Also a corner that is outside of the [domain](crate::num::DOMAIN), repeated, on a
+    /// line with its neighbours, or that turns in the other direction than the first.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops")]
     pub const fn new(corners: &[Vec2]) -> Result<Self, PolygonError> {
         let n = corners.len();
@@ -113,8 +113,8 @@ impl<const N: usize> ConvexPolygon<N> {
     /// corner of the hull.
     ///
     /// # Errors
-    /// [`PolygonError`]: a point outside of the [domain](crate::num::DOMAIN), no three points that are not on one line, or
-    /// a hull of more than `N` corners.
+    /// [`PolygonError`]: a point outside of the [domain](crate::num::DOMAIN), no three points that
+    /// are not on one line, or a hull of more than `N` corners.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops, and by the comparison with N")]
     #[doc(alias("convex hull", "gift wrapping"))]
     pub const fn hull(points: &[Vec2]) -> Result<Self, PolygonError> {

@@ -11,13 +11,13 @@ use crate::shape::{Aabb, Convex};
 #[derive(Clone, Copy, Debug)]
 pub struct ConvexBody<'a> {
     pub(crate) core: Core<'a>,
-    /// Its bounding box, as the level sees it.
+    /// Its bounding box, relative to the level.
     pub(crate) bounds: Aabb,
     pub(crate) offset: Raw,
 }
 
 impl ConvexBody<'_> {
-    /// The same seen from a level that is shifted by as much again.
+    /// The same body relative to a level that is shifted by a further offset.
     pub(in crate::world) const fn seen_from(&self, offset: Raw) -> Self {
         let bounds = Aabb::from_raw_unchecked(self.bounds.lo().sub(offset), self.bounds.hi().sub(offset));
         Self { bounds, offset: self.offset.add(offset), ..*self }

@@ -95,7 +95,7 @@ pub trait Enter<B: ?Sized>: InDomain {
     /// The hit of the motion `d`, below 2^29 per component. Its end may be outside the domain.
     fn enter(&self, b: &B, d: Raw) -> Course<Self::Moment>;
 
-    /// [`hit`](Self::hit), with the answer of [`Moment::contact`]. A pair with several kinds of
+    /// [`enter`](Self::enter), with the answer of [`Moment::contact`]. A pair with several kinds of
     /// boundary then does not have to store which one it was.
     #[inline]
     fn first_contact(&self, b: &B, d: Raw) -> Course<(Toi, Raw, Axis)> {
