@@ -1,12 +1,12 @@
-//! Fast bodies meet others and the level on their whole way, in the order of the times.
+//! Fast bodies meet others and the level on their whole path, in the order of the times.
 //!
 //! Each has a straight way for the rest of the step, and knows its first end: the level, another
 //! body, or the step. The earliest of all ends is handled, and the bodies that it changed look
 //! again.
 //!
-//! A slow body has made its step before, and replies as on the straight way from its start. A hit
-//! changes its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet
-//! again in the step move along each other, and their velocities meet in the next one.
+//! A slow body has already moved, and replies as on the straight way from its start. A hit changes
+//! its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet again in
+//! the step move along each other, and their velocities meet in the next one.
 
 use super::blocked::in_vain;
 use super::body::{ALOFT, NOBODY, Slot};
@@ -29,9 +29,9 @@ use crate::num::{Toi, Vec2};
 use crate::query::Touches;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Releases those that have nobody in reach: only the level matters to them. Also those that
-    /// the level holds, if nobody is in reach before a third body turns it: others meet them where
-    /// they are.
+    /// Releases bodies without others in reach, to which only the level matters. Also those that
+    /// the level holds, if no other is in reach before a third body turns it: others meet them at
+    /// their positions.
     #[inline(never)]
     pub(super) fn let_go<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
@@ -111,7 +111,7 @@ struct Sweep<'a, B, V, S, R> {
     room: &'a mut [Handle],
     woken: usize,
     trip: &'a Trip<'a, V>,
-    /// No slow body is farther than this from where the broad phase has it.
+    /// No slow body is farther than this from its position in the broad phase.
     margin: u32,
     stepped: &'a mut Stepped,
     replies: &'a mut R,
@@ -176,9 +176,9 @@ where
         })
     }
 
-    /// Lets the bodies in the slots that have turned find the ends of their ways, and those whose
-    /// ways depend on them; at the step's begin all. All look again if one is held: some may have
-    /// seen it move.
+    /// Finds the ends of the ways of the bodies that have turned, and of those that depend on them;
+    /// at the start of the step, of all. All look again if one is held, because some may have seen
+    /// it move.
     #[inline(never)]
     fn look_again(&mut self, mut turned: Option<[u16; 2]>) {
         loop {
@@ -355,8 +355,8 @@ where
             }
             _ => None,
         };
-        // One that was stopped on its way there cannot yield: it would meet what stopped it, and
-        // the other again, until both wait.
+        // One that was stopped before cannot yield: it would meet the obstacle and the other again,
+        // until both wait.
         let stopped = (one.way.stop.bars(met.axis.reversed()), other.way.stop.bars(met.axis));
         let first_yields = if stopped.0 == stopped.1 { top == Top::A } else { stopped.1 };
         let yields = match goes {
@@ -375,7 +375,7 @@ where
             }
         }
         if again && met.axis.x != 0 && met.axis.y != 0 {
-            // Their ways are rounded: along a slanted side they would approach by a raw unit, meet
+            // Their ways are rounded. Along a slanted side they would approach by a raw unit, meet
             // at once, and wait.
             let apart = Vec2::from_raw(2 * met.axis.x.signum(), 2 * met.axis.y.signum());
             match yields {

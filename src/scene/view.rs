@@ -1,4 +1,4 @@
-//! The level that a body sees, and the call that receives its ways.
+//! The level of each body, and the closure that receives its paths.
 
 use super::SceneBody;
 use super::kernel::BodyShape;
@@ -12,7 +12,8 @@ use core::marker::PhantomData;
 /// A mover that slides.
 pub(super) type Sliding = Mover<ByFlags<Surface>>;
 
-/// The mover of all ways. One type: another one would link most of a mover once more.
+/// The mover of all motions. There is one type, because another one would link most of a mover
+/// again.
 pub(super) fn sliding(mover: Mover) -> Sliding {
     mover.with_surface(Surface::SLICK).with_responses(Responses::NONE)
 }
@@ -35,7 +36,7 @@ pub(super) trait View<S> {
     fn tell(&self, _: Handle, _: &S, _: Vec2) {}
 }
 
-/// One for all bodies.
+/// One level for all bodies.
 pub(super) struct Common<'l, W>(pub(super) &'l W);
 
 impl<W: World, S> View<S> for Common<'_, W> {
@@ -46,7 +47,7 @@ impl<W: World, S> View<S> for Common<'_, W> {
     }
 }
 
-/// A call that says which.
+/// A closure that returns the level of each body.
 pub(super) struct Each<'l, W, F> {
     of: F,
     level: PhantomData<&'l W>,
@@ -69,10 +70,10 @@ impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for Each<'l, W, F> 
     }
 }
 
-/// The same, and a call that receives each way.
+/// [`Each`], and a closure that receives each path.
 pub(super) struct Along<'l, W, F, T> {
     levels: Each<'l, W, F>,
-    /// Taken while it runs.
+    /// `None` while the closure runs.
     told: Cell<Option<T>>,
 }
 
