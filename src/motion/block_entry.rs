@@ -13,7 +13,7 @@ pub(super) enum Part {
     Y,
     /// Both sides at once: a corner of a box meets their corner exactly.
     Both,
-    /// Of a rounded body, the corner toward these sides, each 1 or -1.
+    /// The corner of a rounded body toward these sides, each 1 or -1.
     Corner(i32, i32),
 }
 
@@ -68,7 +68,7 @@ impl Along {
     }
 }
 
-/// Where a body is along one axis, as seen from the sides of a cell.
+/// The position of a body along one axis, relative to the sides of a cell.
 enum Place {
     Before,
     /// A box, exactly at the nearer side.

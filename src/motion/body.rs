@@ -110,7 +110,7 @@ impl Entry {
             }
             unequal => unequal,
         };
-        // Of two lengths in one direction it takes the longer, mirrored or not.
+        // If two lengths have the same direction, the longer one wins, mirrored or not.
         opposition.then_with(|| by_size(self.normal, other.normal)).is_gt()
     }
 

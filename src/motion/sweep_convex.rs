@@ -1,4 +1,4 @@
-//! Sweeps a body with sides in any direction: a turned box, a convex polygon, a slanted capsule.
+//! Sweeps a body with sides in any direction: an oriented box, a convex polygon, a slanted capsule.
 //!
 //! Against a face it is its deepest corner, or the side that is parallel to the face. Against a
 //! corner or an arc, which is a point with a radius, each of its own sides is a face that the point
@@ -194,7 +194,7 @@ fn sweep_straight(core: Core<'_>, d: Raw, face: &Face) -> Option<Entry> {
     Some(Entry { num, den, normal: normal(dir), at_end: over_start == 0 || over_end == 0, step: None })
 }
 
-/// Of a rounded body, which meets the face with all of a parallel side, grown by its radius.
+/// Sweeps a rounded body, which meets the face with all of a parallel side, grown by its radius.
 fn sweep_wide((first, last): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, .. } = *face;
     if dir.x == 0 || dir.y == 0 {
@@ -217,8 +217,8 @@ fn sweep_wide((first, last): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<
     Some(Entry { num: time.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: None })
 }
 
-/// Whether a sharp corner that has met a line, and moves by `d` through it, comes to be behind the
-/// line in the direction `way` from there: by a side along the line, or by one that follows.
+/// Whether a sharp corner that has met a line, and moves by `d` through it, is then behind the line
+/// in the direction `way` from there: by a side along the line, or by one that follows.
 fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     let is_flat = |other: usize| {
@@ -230,9 +230,9 @@ fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
 
 /// Whether a side beside such a corner follows it over the line, in the direction `way`.
 ///
-/// The side leads back in front of the line. Seen from where the corner met it, one that leads
-/// along `q` crosses the line at `d + t q`, on the side of the sign of `d x q` over that of
-/// `way x q`. Below 2^58.
+/// The side leads back in front of the line. Relative to the point at which the corner met it, one
+/// that leads along `q` crosses the line at `d + t q`, on the side of the sign of `d x q` over that
+/// of `way x q`. Below 2^58.
 fn follows(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     [core.after(corner), core.before(corner)].into_iter().any(|other| {
@@ -425,8 +425,8 @@ impl Quarter {
         first
     }
 
-    /// Of a sharp corner. Exactly through an end of the arc it leaves only if a side follows it. A
-    /// side along the tangent there leaves the arc: the solid is a cusp between the two.
+    /// Sweeps a sharp corner. Exactly through an end of the arc it leaves only if a side follows
+    /// it. A side along the tangent there leaves the arc: the solid is a cusp between the two.
     fn leave_by_corner(&self, core: Core<'_>, corner: usize, d: Raw) -> Option<Entry> {
         let here = core.corner(corner);
         for end in [Axis::new(self.quadrant.x, 0), Axis::new(0, self.quadrant.y)] {

@@ -50,10 +50,10 @@ pub trait Kernel:
     /// The reference position, as of [`Body`].
     fn position(&self) -> Vec2;
 
-    /// The same shape elsewhere. The caller ensures that it is inside of the domain.
+    /// This shape moved by `by`. The caller ensures that it is inside of the domain.
     fn shifted(&self, by: Vec2) -> Self;
 
-    /// The same shape elsewhere.
+    /// This shape moved by `by`.
     ///
     /// # Errors
     /// [`RangeError`] if it would leave the domain.

@@ -147,7 +147,7 @@ impl<S: Law> Mover<S> {
     /// # Errors
     /// - [`MoveError::Range`] if a half extent or radius is not below 2^28 raw, or `follow` is
     ///   negative or not below that.
-    /// - [`MoveError::Range`] if the body would leave the domain, or a way visits more than
+    /// - [`MoveError::Range`] if the body would leave the domain, or a motion visits more than
     ///   [`Mover::CELLS`] cells.
     /// - [`MoveError::Stuck`] if the body is to be moved and already overlaps the level.
     ///
@@ -216,7 +216,7 @@ impl<S: Law> Mover<S> {
             }
             d = next;
         }
-        // Of a body that the level keeps from going along, the solids may pass it where it is.
+        // If the level keeps a body from moving along, the solids may pass it at its position.
         let zero = Raw { x: 0, y: 0 };
         if let Some(press) = pushes.press.filter(|_| asking().ask(zero, zero).is_some()) {
             ridden.ride = Ride::Squashed { by: press.key, normal: press.normal };
@@ -236,8 +236,8 @@ pub(super) struct Carrier {
 }
 
 impl Carrier {
-    /// Of several solids, chooses the one that rises most, because it lifts the body off the
-    /// others. Then the smaller key decides, then geometry. The order of the list does not matter.
+    /// Of two solids, prefers the one that rises more, because it lifts the body off the other.
+    /// Then the smaller key decides, then geometry. The order of the list does not matter.
     fn goes_before(&self, other: &Self) -> bool {
         let key = |c: &Self| {
             let Raw { x, y } = c.carry;

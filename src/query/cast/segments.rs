@@ -341,7 +341,7 @@ impl Slanted {
             return Course::Free;
         }
         let du = e.dot(d);
-        // As seen from an end; `turned` where the outer side is on the right then.
+        // Relative to an end; `turned` if the outer side is then on the right.
         let meets = |u: i64, du: i64, from: Offset, turned: bool| {
             let cross = || {
                 let cross = from.cross(d);

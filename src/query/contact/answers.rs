@@ -199,7 +199,7 @@ const fn radial_exit(axis: Axis, n: u64, radii: i32) -> (u64, i32) {
     (unit_by(axis, inverse).packed(), radii.wrapping_sub(inverse.root(n) as i32))
 }
 
-/// The same for another one.
+/// The unit vector and the depth of a contact that is not radial.
 #[inline(never)]
 const fn sloped_exit(axis: Axis, n: u64, overlap: i64, radii: i32) -> (u64, i32) {
     let inverse = InverseRoot::called(n);

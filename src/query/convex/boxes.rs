@@ -113,8 +113,8 @@ pub(super) fn contact(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Con
     Ok(side.map(|side| across(&side, p.corner(side.a), q.corner(side.b))))
 }
 
-/// Of two opposite sides of the sum, which is parallel to no others, the one with the origin before
-/// it or nearer to it, and the corners that it ends at. The sum's middle is on the left of that.
+/// The one of two opposite sides of the sum, parallel to no others, that has the origin before it
+/// or nearer to it, and the corners at which it ends. The sum's middle is on the left of that.
 fn side_toward(
     p: &Parallelogram,
     q: &Parallelogram,

@@ -209,7 +209,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         }
     }
 
-    /// The same of a gap that closes to nothing.
+    /// Looks for the end of a gap that closes to nothing.
     #[inline(never)]
     fn look_for_cusp(&mut self) {
         if let Some(met) = &cusp(self.level, self.o, self.d, &self.walk) {
