@@ -265,8 +265,8 @@ impl Span {
     }
 }
 
-/// When the box `a` that moves by `d` first has a point in common with the box `b`: the closed
-/// counterpart of a cast, which hits only if the motion starts to overlap.
+/// When the box `a` that moves by `d` first has a point in common with the box `b`. This is the
+/// closed counterpart of a cast, which hits only if the motion starts to overlap.
 fn touched(a: &Aabb, d: Raw, b: &Aabb) -> Option<Toi> {
     let (alo, ahi, blo, bhi) = (a.lo(), a.hi(), b.lo(), b.hi());
     let x = Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x);

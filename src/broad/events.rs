@@ -109,7 +109,7 @@ pub(super) enum Mark {
 /// the order of insertion. Use keys if the order of events must not. `(a, b)` and `(b, a)` are two
 /// pairs; a broad phase gives only one of them.
 ///
-/// - **Bodies at rest**: two [still](crate::Filter::still) bodies do not pair in a broad phase, but
+/// - **Bodies at rest**: two [still](crate::Filter::still) bodies do not pair in a broad phase. But
 ///   a body that fell asleep in a trigger is still in it. So `finish` calls `held` for each pair
 ///   that did not come. Let bodies fall asleep after `finish`, so the frame in which they last
 ///   moved uses their final positions.

@@ -184,8 +184,8 @@ pub trait BroadPhase: Spatial {
         self.walk(cursor, &mut Budget(budget), |pair| out.push(pair).is_ok())
     }
 
-    /// Replaces the contents of `out` by all pairs in canonical order: by the
-    /// [key](super::Tag::key) of the first body, then by that of the second, then by slots. With
+    /// Replaces the contents of `out` by all pairs in canonical order. This is the order of the
+    /// [key](super::Tag::key) of the first body, then that of the second, then the slots. With
     /// unique keys the result depends neither on the order of insertion nor on the kind of broad
     /// phase.
     ///
@@ -221,10 +221,10 @@ pub trait BroadPhase: Spatial {
     /// The movers may be in any order, and in the list more than once. Tags count as in
     /// [`pairs`](Self::pairs). With all bodies as movers the pairs are the same, at a higher cost.
     ///
-    /// Cost: one region query per mover, of its box; no memory. With 512 bodies in 1024 x 768
-    /// units, a mover takes about 720 instructions on a Cortex-M0 in a grid, and all pairs take 250
-    /// per body. So it pays if less than a third of the bodies move. A broad phase without cells
-    /// takes 13 per mover and body, so there it pays only for a few movers.
+    /// Cost: one region query per mover, of its box; no memory. On a Cortex-M0, with 512 bodies in
+    /// a grid of 1024 x 768 units, a mover takes about 720 instructions. All pairs take 250 per
+    /// body. So it pays if less than a third of the bodies move. A broad phase without cells takes
+    /// 13 per mover and body, so there it pays only for a few movers.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale), before any pair.
@@ -313,8 +313,8 @@ pub trait BroadPhase: Spatial {
         nearest(self, point, within, wanted)
     }
 
-    /// Replaces the contents of `out` by all bodies for which `wanted` is true and whose boxes are
-    /// at most `within` units away from a point, the nearest first. The order is that of
+    /// Replaces the contents of `out` by all bodies whose boxes are at most `within` units away
+    /// from a point, and for which `wanted` is true. The nearest comes first. The order is that of
     /// [`nearest`](Self::nearest).
     ///
     /// Cost: a region query of the square around the point. Each body found takes at most 4 log2 k
@@ -380,9 +380,9 @@ pub trait BroadPhase: Spatial {
         along(self, start, motion, each)
     }
 
-    /// Replaces the contents of `out` by all bodies for which `wanted` is true and whose boxes a
-    /// ray from `origin` along `motion` touches, the earliest first. At the same time (in parts of
-    /// 2^30) the one with the smaller key comes first, then the smaller slot.
+    /// Replaces the contents of `out` by all bodies whose boxes a ray from `origin` along `motion`
+    /// touches, and for which `wanted` is true. The earliest comes first. At the same time (in
+    /// parts of 2^30) the one with the smaller key comes first, then the smaller slot.
     ///
     /// It is closed and exact. A box that holds the start is touched at 0, also from its border. A
     /// box that is only grazed counts, and so does the very end.

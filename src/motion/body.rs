@@ -20,8 +20,8 @@ use core::cmp::Ordering;
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait Body: kernel::Kernel {
-    /// The reference position: the minimum corner of a box, the centre of a circle or an oriented
-    /// box, the first end of a capsule's core, the first vertex of a polygon.
+    /// The reference position. It is the minimum corner of a box, the centre of a circle or an
+    /// oriented box, the first end of a capsule's core, or the first vertex of a polygon.
     fn position(&self) -> Vec2;
 }
 

@@ -57,8 +57,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// Cost: a look at the cells under the motion if they are empty. Otherwise one sweep over them,
-    /// in pieces as long as a cell or the body, so linear in the motion's length, and one or two
-    /// exact overlap tests. [`BodyHit::work`] counts them.
+    /// in pieces as long as a cell or the body, and one or two exact overlap tests. So it is linear
+    /// in the length of the motion. [`BodyHit::work`] counts them.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, TileKind, TileKinds, TileMap, Vec2, fx};

@@ -7,9 +7,9 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
 use crate::world::{Solids, World};
 
-/// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
-/// rides on [`Solid`](crate::Solid)s, or on solids of
-/// [any convex shape](crate::world::ConvexSolid).
+/// The hero of a platformer. It runs, jumps, walks on slopes and steps, drops through platforms and
+/// rides on [`Solid`](crate::Solid)s, or on solids of [any convex
+/// shape](crate::world::ConvexSolid).
 ///
 /// Make one call per frame: [`step`](Self::step), or [`step_on`](Self::step_on) if solids move.
 /// Each links only the code that it uses. `B` is the [body](crate::Body): an [`Aabb`], a

@@ -17,10 +17,10 @@ pub struct Input {
     /// which the character stands. While it stays true, the character passes all floors that
     /// follow. On a one-way floor it wins over `jump`.
     ///
-    /// After one frame of `drop` on a one-way solid, the character keeps passing it until its feet
-    /// are below by [`Feel::snap`] plus the solid's downward motion. Until then the character
-    /// passes other one-way floors as well. A lift that speeds up by more than half the gravity per
-    /// frame may still catch it.
+    /// After one frame of `drop` on a one-way solid, the character keeps passing it. This ends when
+    /// its feet are below by [`Feel::snap`] plus the solid's downward motion. Until then the
+    /// character passes other one-way floors as well. A lift that speeds up by more than half the
+    /// gravity per frame may still catch it.
     pub drop: bool,
 }
 

@@ -90,8 +90,8 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
 /// pushes that out of the solid if necessary. The result is never inside.
 ///
 /// The body must be free. If `turned` is free too, that is the result. Otherwise it is pushed as by
-/// [`escape`], but only to a position whose middle a point can reach on a straight line from the
-/// middle of `body`. So a thin wall is never between the two. One-way faces do not count. For a
+/// [`escape`]. The straight line from the middle of `body` to the middle of the result must be free
+/// for a point. So a thin wall is never between the two. One-way faces do not count. For a
 /// compound, this applies to the middle of each part. Both compounds must have equally many parts,
 /// in the same order.
 ///

@@ -70,15 +70,15 @@ impl<B: Body> Character<B> {
     /// ledge, even if the box would step over it, because the box may stop in it. One-way floors
     /// are floors. In the air the answer is `false`.
     ///
-    /// It looks in steps of five eighths of the snap. For a body that is not a box, one look may
-    /// skip a gap that exceeds the width of the body by less than a step. Call it in every frame.
+    /// It looks in steps of five eighths of the snap. If the body is not a box, one look may skip a
+    /// gap that is wider than the body by less than a step. Call it in every frame.
     ///
     /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and
     /// a look down for each that a box makes. For a body of 10 units at a speed of 1 that is four
     /// walks, more than the rest of the patrol's frame. Up to twenty more follow where the floor
     /// has a gap that is nearly as wide as the box. To save time, call it in every `n`-th frame,
     /// with `far` larger by `(n - 1) * v`. If `far` and the width are more than ten times the snap,
-    /// the steps are longer, and slopes that lead down may count as ledges: raise the snap.
+    /// the steps are longer. Slopes that lead down may then count as ledges: raise the snap.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, TileKind, TileKinds, TileMap, Vec2, fx};

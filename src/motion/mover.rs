@@ -77,8 +77,8 @@ impl<S: Law> Mover<S> {
     /// Restitution acts only with [`Response::Bounce`], and a new mover slides: choose that
     /// response too. Friction acts with every response but [`Response::Touch`].
     ///
-    /// The surface is a part of the mover, so you can choose it for each call: by the body, or by
-    /// the flags of the tile on which the body stood.
+    /// The surface is a part of the mover, so you can choose it for each call. It may depend on the
+    /// body, or on the flags of the tile on which the body stood.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Mover, Ratio, Response, Surface};
@@ -103,9 +103,9 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce, limit, drop_through, inside, surface: ByFlags { surface, responses } }
     }
 
-    /// Sets a function that returns the response to each hit: by the flags of a tile, the
-    /// [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` means the
-    /// mover's own response. A mover without such a function links no code for it.
+    /// Sets a function that returns the response to each hit. It may use the flags of a tile, the
+    /// [key](crate::Solids::key_of) of a solid, the normal, and whether the face is one-way. `None`
+    /// means the mover's own response. A mover without such a function links no code for it.
     ///
     /// It must be a pure function of the hit. To learn what a body passed, see
     /// [`move_along`](Self::move_along). Call this after [`with_surface`](Self::with_surface).
@@ -209,7 +209,7 @@ impl<S: Law> Mover<S> {
     /// Moves a body by its velocity (units per call) through a level.
     ///
     /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it
-    /// hits, and they change the motion exactly: a box that lands still makes its whole sideways
+    /// hits, and they change the motion exactly. So a box that lands still makes its whole sideways
     /// motion. At a slope, a corner or an arc it ends at most 2 raw early, and never inside. If it
     /// is wedged and no lattice point near the contact is free, it ends up to 66 raw early. If none
     /// is free there either, it ends where that piece of its motion began.
@@ -222,19 +222,19 @@ impl<S: Law> Mover<S> {
     /// raises the square of the velocity (with a [`Speed`](super::Speed), not above that).
     ///
     /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall)
-    /// comes to rest, for gravities up to a twentieth of a tile per call squared. Each displacement
-    /// is a fraction of its velocity, so the body does not jitter. Without friction a half pipe
-    /// swings a body for ever, up to 216 units higher in 40 000 calls. A friction of 0.5 % ends
-    /// both.
+    /// stops. This holds for gravities up to a twentieth of a tile per call squared. Each
+    /// displacement is a fraction of its velocity, so the body does not jitter. Without friction a
+    /// half pipe swings a body for ever, up to 216 units higher in 40 000 calls. A friction of 0.5
+    /// % ends both.
     ///
     /// With zero velocity the call returns at once. It does not look at the level, and does not
     /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
     /// Mirrored scenes give mirrored bits, with two exceptions. A circle that meets two corners,
     /// slopes or arcs at once and equally squarely takes the one toward +x first. A corner of a
-    /// polygon or oriented box that meets a corner (1 of 100 000 motions) may end a raw unit off,
-    /// or bounce off the other side. Translated scenes give the same bits. So do scenes with x and
-    /// y exchanged, except for ties (x goes first) and a raw unit at corners.
+    /// polygon or oriented box that meets a corner may end a raw unit off, or bounce off the other
+    /// side (1 of 100 000 motions). Translated scenes give the same bits. So do scenes with x and y
+    /// exchanged, except for ties (x goes first) and a raw unit at corners.
     ///
     /// Cost: one look at each cell under the motion, if all are empty. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A

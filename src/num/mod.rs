@@ -57,10 +57,10 @@ pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split,
 ///
 /// | you write | where it fails | instead |
 /// |---|---|---|
-/// | `a + b`, `a - b`, `-a` | beyond ±32768 | `a.saturating_add(b)`, `a.checked_add(b)`, ... |
-/// | `a * b` | beyond ±32768, such as 182 * 182 | `a.saturating_mul(b)`, `a.checked_mul(b)` |
-/// | `a / b` | beyond ±32768; `b == 0` panics in every build | `a.checked_div(b)` |
-/// | `Fx::from_num(n)` | `n` beyond ±32768 | `Fx::checked_from_num(n)`, `Fx::saturating_from_num(n)`; `Fx::from(i16)` cannot fail |
+/// | `a + b`, `a - b`, `-a` | beyond ±32 768 | `a.saturating_add(b)`, `a.checked_add(b)`, ... |
+/// | `a * b` | beyond ±32 768, such as 182 * 182 | `a.saturating_mul(b)`, `a.checked_mul(b)` |
+/// | `a / b` | beyond ±32 768; `b == 0` panics in every build | `a.checked_div(b)` |
+/// | `Fx::from_num(n)` | `n` beyond ±32 768 | `Fx::checked_from_num(n)`, `Fx::saturating_from_num(n)`; `Fx::from(i16)` cannot fail |
 ///
 /// Operators of [`Vec2`] saturate. If you compute only with vectors, none of these occurs.
 #[doc(alias("fixed point", "Q16.16", "Fixed"))]

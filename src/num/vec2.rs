@@ -126,7 +126,7 @@ impl Vec2 {
         super::usqr(x.unsigned_abs()).wrapping_add(super::usqr(y.unsigned_abs()))
     }
 
-    /// The length, rounded down to a raw unit; saturates above 32767 units.
+    /// The length, rounded down to a raw unit; saturates above 32 767 units.
     ///
     /// Cost: one square root, about 300 instructions on a Cortex-M0.
     #[must_use]
@@ -371,7 +371,7 @@ impl From<(i16, i16)> for Vec2 {
     }
 }
 
-/// A vector of whole units. Fails if one does not fit 16.16 (-32768 to 32767). The value of the
+/// A vector of whole units. Fails if one does not fit 16.16 (-32 768 to 32 767). The value of the
 /// error is then the end of the range that it exceeds.
 ///
 /// ```

@@ -71,9 +71,9 @@
 //!   the whole correction. A heavy body can sink into a light one at a wall by two of its steps,
 //!   plus what gravity adds in three.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
-//! - **Order does not matter**, neither that of insertion nor that of the broad phase, nor the
-//!   choice of broad phase. For this, keys must be unique (otherwise slots decide). Events come in
-//!   no particular order.
+//! - **Order does not matter**, neither of insertion nor of the broad phase, nor the choice of
+//!   broad phase. For this, keys must be unique (otherwise slots decide). Events come in no
+//!   particular order.
 //! - **Images**: mirrored scenes give mirrored bits and moved scenes the same bits, as far as the
 //!   [mover](crate::Mover::move_and_slide) and [degenerate](crate::query::Contact::is_degenerate)
 //!   contacts (two coincident centres) do.
@@ -115,12 +115,11 @@
 //!   has stopped yields: a body slides along the wall against which another one presses it.
 //! - A slow or sleeping body that is hit uses its new velocity from the next step on.
 //! - Sensors on the path are reported, too, each time that a body enters one.
-//! - After three bodies or eight events in a step, a body waits at its position for the next step.
-//!   No body passes it.
+//! - After three bodies or eight events in a step, a body waits for the next step, and no body
+//!   passes it.
 //! - Two bodies that are *not* fast may still pass each other if they clip each other or are
 //!   squeezed. Flag large, slow bodies among small ones.
-//! - The game moves a fixed body between steps, so the body does not meet bodies that it jumps
-//!   over.
+//! - The game moves a fixed body between steps, so it does not meet bodies that it jumps over.
 //!
 //! A fast body with no body in reach is moved like all others; that costs one region query.
 //! Otherwise each event takes a few casts through the level and region queries, and tests the boxes
@@ -343,9 +342,9 @@
 //! its last position in every step, without a velocity, until it falls asleep there. Remove it when
 //! the event reports it, or use a border that accepts all.
 //!
-//! **Rollback** takes a [`Snapshot`], or copies the scene. It also needs everything that the rules
-//! of your game read: [`PairEvents`](crate::broad::PairEvents),
-//! [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
+//! **Rollback** takes a [`Snapshot`], or copies the scene. It also needs all data of your rules:
+//! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
+//! tiles that change, solids.
 
 mod blocked;
 mod body;

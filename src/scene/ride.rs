@@ -79,9 +79,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// depends on the order of bodies or solids.
     ///
     /// If no solid moves, the call does nothing. Otherwise it costs a region query for each moving
-    /// solid, a few comparisons for each body and solid, and a ride for each body near one. If one
-    /// is carried or pushed, it costs a region query for each body that is awake, and if one is
-    /// carried, another for each body that lies on others.
+    /// solid, and a few comparisons for each body and solid. Each body near a solid takes a ride.
+    /// If a body is carried or pushed, each awake body takes a region query. If one is carried,
+    /// each body that lies on others takes another.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;

@@ -140,9 +140,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// bodies. 16 are enough for two or three of them.
     ///
     /// In return, name each region of the level that [changes](Self::wake_region), even if no body
-    /// sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. If your
-    /// replies about two bodies change, [wake](Self::wake) both. A snapshot has no memory; a
-    /// restored scene looks at the level once.
+    /// sleeps. It may change by a tile, a [`Solid`](crate::Solid) that moves, or another level for
+    /// a body. If your replies about two bodies change, [wake](Self::wake) both. A snapshot has no
+    /// memory; a restored scene looks at the level once.
     ///
     /// RAM: 104 bytes for each of M.
     ///

@@ -1,8 +1,7 @@
 //! Fast bodies meet others and the level on their whole path, in the order of the times.
 //!
 //! Each has a straight way for the rest of the step, and knows its first end: the level, another
-//! body, or the step. The earliest of all ends is handled, and the bodies that it changed look
-//! again.
+//! body, or the step. The earliest end is handled, and the bodies that it changed look again.
 //!
 //! A slow body has already moved, and replies as on the straight way from its start. A hit changes
 //! its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet again in

@@ -25,19 +25,19 @@ pub trait Convex: Sized {
         0
     }
 
-    /// Two sides and twice the middle of a sharp box with area; none of other shapes.
+    /// Two sides and twice the middle of a sharp box with area; none for other shapes.
     #[inline]
     fn box_sides(&self) -> Option<[Raw; 3]> {
         None
     }
 
-    /// Two half sides and the middle of a box in any direction; none of other shapes.
+    /// Two half sides and the middle of a box in any direction; none for other shapes.
     #[inline]
     fn half_sides(&self) -> Option<[Raw; 3]> {
         None
     }
 
-    /// The middle of a circle; none of other shapes.
+    /// The middle of a circle; none for other shapes.
     #[inline]
     fn point(&self) -> Option<Raw> {
         None

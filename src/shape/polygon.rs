@@ -6,7 +6,7 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 
 /// A convex polygon with room for `N` corners, square or rounded.
 ///
-/// Corners are exact, and are kept in one canonical order: counter-clockwise (y up, that is
+/// Corners are exact, and are kept in one canonical order. It is counter-clockwise (y up, that is
 /// positive [`perp_dot`](Vec2::perp_dot) from side to side), from the lowest y and there the lowest
 /// x. So polygons with equal points are equal, whatever order the points were given in.
 ///

@@ -39,8 +39,8 @@ pub struct Near {
     pub axis: Axis,
     /// Whether the given point is in the inside of the solid; on the surface it is not.
     pub inside: bool,
-    /// The piece of the surface: a face or an arc if the point is on it, or a corner if the given
-    /// point is in its cone.
+    /// The piece of the surface. It is a face or an arc if the point is on it, or a corner if the
+    /// given point is in its cone.
     pub feature: Feature,
     /// How many features were examined.
     pub features: u32,

@@ -215,9 +215,9 @@ contacts_of! {
     /// several parts overlap a feature, it lists the deepest. So after its
     /// [`push_out`](WorldContact::push_out) no part overlaps that feature.
     ///
-    /// The back of a feature counts only while the body's middle is in the solid, because the far
-    /// side of a thin wall is not a way out. Circles list the feature first whose distance from the
-    /// centre is least, boxes the shortest way out. Ties are broken as in
+    /// The back of a feature counts only while the body's middle is in the solid. Otherwise the far
+    /// side of a thin wall would be a way out. Circles list the feature first whose distance from
+    /// the centre is least, boxes the shortest way out. Ties are broken as in
     /// [`closest_point`](Self::closest_point). A body that reaches no surface, such as one deep in
     /// the solid or a point, has no contacts.
     ///

@@ -11,7 +11,7 @@ use core::fmt;
 pub enum TileMapError {
     /// The width or the height is zero.
     EmptyMap,
-    /// The width or the height is above 32767.
+    /// The width or the height is above 32 767.
     TooManyCells(u16),
     /// The side of a cell, in raw, is odd or outside of 2^8..=2^24.
     Cell(i32),
@@ -151,14 +151,14 @@ pub enum SegmentMapError {
         /// The path.
         path: u32,
     },
-    /// There are more than 32768 segments. This is the first one too many.
+    /// There are more than 32 768 segments. This is the first one too many.
     TooManySegments {
         /// The path.
         path: u32,
         /// The point at which the segment starts that is too many.
         point: u32,
     },
-    /// More than 65535 pairs of a segment and a cell that it meets: use larger cells.
+    /// More than 65 535 pairs of a segment and a cell that it meets: use larger cells.
     TooManyRefs {
         /// The path.
         path: u32,
@@ -221,7 +221,7 @@ pub enum SegmentMapError {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SegmentFault {
-    /// It is the first of too many: there are at most 32768.
+    /// It is the first of too many: there are at most 32 768.
     TooMany,
     /// The length is below 1.
     Length,

@@ -40,7 +40,7 @@ pub(super) struct GridAxis {
     pub(super) origin: i32,
     /// The length of all cells, below 2^30.
     pub(super) size: i32,
-    /// The number of cells, 1 to 32767.
+    /// The number of cells, 1 to 32 767.
     pub(super) count: u16,
 }
 
@@ -49,8 +49,8 @@ impl Grid {
     /// `origin`.
     ///
     /// # Errors
-    /// [`TileMapError`] if a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24 raw
-    /// (1/256 to 256 units). Also if an end of the grid is outside the
+    /// [`TileMapError`] if a count is 0 or above 32 767, or the cell is odd or not in 2^8..=2^24
+    /// raw (1/256 to 256 units). Also if an end of the grid is outside the
     /// [domain](crate::num::DOMAIN).
     pub const fn new(width: u16, height: u16, cell: Fx, origin: Vec2) -> Result<Self, TileMapError> {
         if width == 0 || height == 0 {

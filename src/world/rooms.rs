@@ -199,7 +199,7 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
     if -2 * (DOMAIN as i64) < raw && raw < 2 * DOMAIN as i64 { Some(raw as i32) } else { None }
 }
 
-/// A world of tiles, cut into equal rooms: one array of tiles, row after row, of up to 65535
+/// A world of tiles, cut into equal rooms: one array of tiles, row after row, of up to 65 535
 /// columns and rows.
 ///
 /// A [`Room`] is a window of that array: its apron costs no flash and no memory. Outside of the
@@ -367,7 +367,7 @@ struct RoomAxis {
 
 impl RoomAxis {
     const fn of(index: u16, room: u16, world: u16, apron: u16) -> Option<Self> {
-        // Below 2^31: a room has at most 32767 cells.
+        // Below 2^31: a room has at most 32 767 cells.
         let (first, world) = (index as i32 * room as i32, world as i32);
         if first >= world {
             return None;

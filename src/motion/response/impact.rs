@@ -214,7 +214,7 @@ pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
 /// They are unchanged if the bodies do not approach.
 ///
 /// The velocity of A relative to B changes as in [`Surface::respond`]. The masses share that change
-/// in whole steps: one step changes A by the mass of B and B by the mass of A, in raw units and
+/// in whole steps. One step changes A by the mass of B and B by the mass of A, in raw units and
 /// lowest terms. So, exactly:
 ///
 /// - **momentum** along x and along y stays the same (of bodies that are not fixed);
@@ -222,10 +222,10 @@ pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
 ///   fixed);
 /// - they no longer approach.
 ///
-/// The price is a rounding of the relative velocity: by up to twice the sum of the masses, in raw
-/// units and lowest terms (the sum is 2 for equal masses). A contact slower than that may have no
-/// such answer and is then left unchanged. The result does not depend on which of the two is A, and
-/// mirrored input gives mirrored bits.
+/// The price is a rounding of the relative velocity. It is up to twice the sum of the masses, in
+/// raw units and lowest terms (the sum is 2 for equal masses). A contact slower than that may have
+/// no such answer and is then left unchanged. The result does not depend on which of the two is A,
+/// and mirrored input gives mirrored bits.
 ///
 /// Cost: about 1140 instructions on a Cortex-M0 along x and y, 4500 for other normals.
 ///

@@ -50,17 +50,18 @@ impl<L: Law> Mover<L> {
     /// - **Carried** bodies move by exactly the motion of the solid. A solid that
     ///   [turns](ConvexSolid::with_turn) carries a body by the motion of the point that the body
     ///   touches; the body itself does not turn.
-    /// - **Pushed** bodies take the shortest way out that the level and all solids leave: along the
-    ///   normal of the face, corner or arc that hits them, and along walls and slopes from there.
+    /// - **Pushed** bodies take the shortest way out that the level and all solids leave. It leads
+    ///   along the normal of the face, corner or arc that hits them, and along walls and slopes
+    ///   from there.
     /// - **Squashed**: the body has no such way out, or it is longer than eight times the longest
     ///   motion of a solid. That happens between a wedge and a wall that nearly meet. If the solids
     ///   pass the body at its position, it stays there.
     /// - **A turn** by any angle keeps each body in front of the face or corner that was between
-    ///   the two before, so no body passes to the other side. The positions between are not tested:
-    ///   the tip of an arm of 100 units that turns by 10 degrees passes over bodies that are in its
-    ///   reach by less than 0.4 units.
+    ///   the two before, so no body passes to the other side. The positions between are not tested.
+    ///   So the tip of an arm of 100 units that turns by 10 degrees passes over bodies that are in
+    ///   its reach by less than 0.4 units.
     ///
-    /// If a turn must not squash a body, your game has to refuse it: call this for all bodies
+    /// If a turn must not squash a body, your game has to refuse it. Call this for all bodies
     /// first, and turn the solid only if none is squashed. See the example.
     ///
     /// Cost: a few comparisons for each far solid (100 instructions on a Cortex-M0). Otherwise at

@@ -68,10 +68,10 @@ pub struct Ridden<B> {
     pub floor: Option<u16>,
     /// The motion that this solid and its conveyor gave it in this tick.
     ///
-    /// For a body that leaves the solid, by a jump or over the edge: in this tick the ride has
-    /// already made the solid's part, so move the body by its own speed. Then add the carry to its
-    /// velocity. Relative to a solid that keeps its motion, the flight is the same as from still
-    /// ground.
+    /// Use it for a body that leaves the solid, by a jump or over the edge. In this tick the ride
+    /// has already made the solid's part, so move the body by its own speed. Then add the carry to
+    /// its velocity. Relative to a solid that keeps its motion, the flight is the same as from
+    /// still ground.
     pub carry: Vec2,
     /// The work of the call.
     pub work: Work,

@@ -56,9 +56,9 @@ rays! {
         /// in neither.
         ///
         /// The [`cell`](RayHit::cell) of the hit names the solid: see
-        /// [`Solids::key_of`](crate::Solids::key_of). If several are hit at the same moment, it is
-        /// the one whose normal is more along x, then a straight side before a round one, then the
-        /// smaller coordinates, then the smaller key.
+        /// [`Solids::key_of`](crate::Solids::key_of). If several are hit at the same moment, the
+        /// one whose normal is more along x wins. Then a straight side wins over a round one, then
+        /// the smaller coordinates, then the smaller key.
         ///
         /// Cost: a comparison of boxes for each solid. Each side or arc of a near solid takes a few
         /// products of double words, and two more if it may be the first.

@@ -15,7 +15,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// - A face is a side of a tile's solid, or half of one, where the tile across does not cover
     ///   it; a slope; or the inner side of a half tile.
     /// - An arc is that of a round tile.
-    /// - A vertex is a point around which the solid is a wedge of less than half a turn; tiles that
+    /// - A vertex is a point around which the solid is a wedge of less than half a turn. Tiles that
     ///   continue each other count as one solid. There is none on a flat line, where an arc leaves
     ///   a line smoothly, or in a concave corner. Two wedges that meet in one point have one vertex
     ///   each. The edge of an arc is its tangent. The thin end of a quarter pipe is a wedge of no
@@ -37,9 +37,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   6          5        +---<---+-----<---+         on the line on the right
     /// ```
     ///
-    /// Cost: each cell of the region once, with 4 neighbours of each full one, and 8 of each shaped
-    /// one whose sides or slope are in the region. On a Cortex-M0 a block with one face takes about
-    /// 200 instructions, or about 600 among shaped tiles. It cannot fail.
+    /// Cost: each cell of the region once. A full one adds its 4 neighbours, and a shaped one 8, if
+    /// its sides or slope are in the region. On a Cortex-M0 a block with one face takes about 200
+    /// instructions, or about 600 among shaped tiles. It cannot fail.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, TileKind, TileKinds, TileMap, Vec2, world::Geometry};

@@ -71,8 +71,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// This map with the bits of [`fill_occupancy`](Self::fill_occupancy). It gives the same
     /// answers, faster if large parts are empty.
     ///
-    /// Queries over many cells then pass 32 empty tiles by one test, and a ray of more than 64
-    /// cells passes each empty area of 32 x 32 tiles by one. Short rays look at tiles, as without.
+    /// Queries over many cells then pass 32 empty tiles by one test. A ray of more than 64 cells
+    /// also passes each empty area of 32 x 32 tiles by one. Short rays look at tiles, as without.
     /// Moves of bodies that are a few cells wide take as many instructions as without on x86-64,
     /// within 0.7 %.
     ///

@@ -53,9 +53,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// included ([`RayHit::cells`] counts them). In [`Blocks`](crate::world::Blocks) a hit in the
     /// 17th cell takes about 850 instructions on a Cortex-M0, 560 on a Cortex-M3, time and point
     /// included. There is no division and no root. Rays that start in the solid or beyond the map,
-    /// or continue in a band beyond it, examine the four cells around each crossing: about 150
-    /// instructions per cell. Other shapes add two sides and one inner piece for each tile that is
-    /// not empty, and one root for a hit within an arc.
+    /// or continue in a band beyond it, examine the four cells around each crossing. That takes
+    /// about 150 instructions per cell. Other shapes add two sides and one inner piece for each
+    /// tile that is not empty, and one root for a hit within an arc.
     ///
     /// ```
     /// use tilesat::{Axis, Cell, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
