@@ -263,7 +263,7 @@ impl<const N: usize, T: Tag> SortSweep<N, T> {
     }
 }
 
-/// Whether the next body gets a slot that was never taken, which comes last in the order.
+/// Whether the next body receives a slot that was never taken, which comes last in the order.
 #[derive(Clone, Copy, Debug)]
 pub struct NewSlot(bool);
 

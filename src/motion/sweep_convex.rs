@@ -166,7 +166,7 @@ fn sweep(core: Core<'_>, d: Raw, feature: &Feature) -> Option<Entry> {
 /// face's line.
 ///
 /// A sharp corner may meet the line exactly at an end of the face. It then enters if the body,
-/// which is a wedge there, comes to be behind the face itself: whatever continues beyond the end.
+/// which is a wedge there, is then behind the face itself: whatever continues beyond the end.
 #[inline(never)]
 fn sweep_straight(core: Core<'_>, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, .. } = *face;
@@ -256,7 +256,7 @@ fn sweep_side(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Opt
     Some(Entry { normal: entry.normal.reversed(), ..entry })
 }
 
-/// How the disc of a radius around a corner of the body comes to a point, in the body's own cone of
+/// How the disc of a radius around a corner of the body reaches a point, in the body's own cone of
 /// normals there.
 fn sweep_disc(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Option<(Raw, Crossing)> {
     let here = core.corner(corner);
@@ -386,7 +386,7 @@ impl Quarter {
     }
 
     /// Whether a sharp side that lands flat on an end of the arc ends there itself. `None` if it
-    /// does not come to be behind the arc.
+    /// is then not behind the arc.
     fn lands_at_end(&self, core: Core<'_>, side: usize, d: Raw, normal: Axis) -> Option<bool> {
         let (way, p) = (self.inward(normal), self.end(normal));
         let (i, j) = (side, core.after(side));

@@ -282,7 +282,7 @@ impl Ways {
             }
         }
         // A way slower than its rounding leads nowhere. A body that gravity presses into a shallow
-        // wedge therefore comes to rest.
+        // wedge therefore stops.
         let is_exact = plane.normal.x == 0 || plane.normal.y == 0;
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;

@@ -92,7 +92,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// let bridge = scene.insert(&SceneBody::fixed(Aabb::new(Vec2::ZERO, Vec2::from_ints(40, 8))?, 1))?;
     /// scene.alter(bridge, |body| body.mass = NonZeroU8::new(5))?; // from now on it falls
     /// assert!(scene.is_awake(bridge)?);
-    /// scene.alter(bridge, |body| body.filter = body.filter.with_sensor(true))?; // and hits nobody
+    /// scene.alter(bridge, |body| body.filter = body.filter.with_sensor(true))?; // and hits nothing
     /// assert!(scene.alter(bridge, |body| body.velocity = Vec2::from_ints(0, 4096)).is_err());
     /// assert!(scene.body(bridge)?.filter.sensor());
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -90,7 +90,7 @@ fn pushed<S>(slot: &Slot<S>) -> Vec2 {
     if slot.way.met.1 == 0 { slot.way.rate - slot.body.velocity } else { Vec2::ZERO }
 }
 
-/// A body comes to lie on one that something carries in this step.
+/// Lays a body on one that something carries in this step.
 fn settle_on<S: BodyShape>(slots: &[Slot<S>], upper: &mut Slot<S>, lower: &Slot<S>, at: Handle) {
     if lower.way.aloft || lower.support == ALOFT {
         return;

@@ -1,4 +1,4 @@
-//! Which features of a level a body overlaps, how deep, and in which direction it gets out.
+//! Which features of a level a body overlaps, how deep, and in which direction it leaves.
 
 use super::joined::Joined;
 use super::level::{Feature, Geometry, World, ends, precedes};

@@ -1,4 +1,4 @@
-//! A body against one feature: how far, how deep, and in which direction it gets out.
+//! A body against one feature: how far, how deep, and in which direction it leaves.
 //!
 //! Distances are exact, for comparison: roots, heights over lines, and the gap between a point and
 //! a circle.

@@ -29,7 +29,7 @@ pub enum Response {
 /// The responses to surfaces with flags, by the flags of the tile, the segment or the
 /// [`Solid`](crate::Solid) that a body hits.
 ///
-/// A surface with none of the flags gets the mover's [`Response`]. With flags of several kinds,
+/// A surface with none of the flags receives the mover's [`Response`]. With flags of several kinds,
 /// touching wins over bouncing, and bouncing over sliding. The response applies to one hit: a body
 /// can bounce off a spring and slide along the floor in the same call.
 ///
@@ -67,7 +67,7 @@ pub struct Responses {
 }
 
 impl Responses {
-    /// Every surface gets the mover's response.
+    /// Every surface receives the mover's response.
     pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0 };
 
     /// The response to a surface with these flags, if the table has one.

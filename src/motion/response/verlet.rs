@@ -192,7 +192,7 @@ impl Stick {
     /// How far to move each end. Zero if their distance is, exactly, less than 3 raw units off.
     ///
     /// The correction follows the exact difference of the ends, each component rounded to nearest.
-    /// Each end gets its share rounded toward zero, so nothing is ever corrected too far. One
+    /// Each end receives its share rounded toward zero, so nothing is ever corrected too far. One
     /// correction leaves the distance less than 3 raw units off, where it stays. The result does
     /// not depend on which end is A, and mirrored input gives mirrored bits. If both ends are at
     /// the same point, they part along x, A to the left. The ends must be inside the

@@ -318,7 +318,7 @@ fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
 struct LevelHit {
     feature: Feature,
     plane: HalfPlane,
-    /// How far the body gets, verified.
+    /// How far the body moves, verified.
     made: Raw,
 }
 
@@ -332,7 +332,7 @@ struct ConvexPushes<'a, S, B> {
 }
 
 impl<S: SolidShape, B: Body> ConvexPushes<'_, S, B> {
-    /// Whether the body gets clear of all solids by `d`. Otherwise adds the bounds that they set.
+    /// Whether the body keeps clear of all solids by `d`. Otherwise adds the bounds that they set.
     fn is_clear(&mut self, d: Raw) -> bool {
         let mut clear = true;
         for (i, solid) in self.solids.iter().enumerate() {
@@ -371,7 +371,7 @@ struct Tick<'a, S, B> {
 }
 
 impl<S: SolidShape, B: Body> Tick<'_, S, B> {
-    /// `None` if the body gets clear of the solid by `d`.
+    /// `None` if the body keeps clear of the solid by `d`.
     fn ask(&self, d: Raw) -> Option<Push> {
         let (solid, body) = (self.solid, self.body);
         let (whole, bounds) = (solid.whole(), body.bounds());

@@ -63,7 +63,7 @@ fn is_face<B: Body>(entry: &Entry, normal: Axis) -> bool {
 }
 
 impl<B: Body> Pushes<'_, B> {
-    /// Returns `None` if the body gets clear of all solids by `made`, the part of `d` that the
+    /// Returns `None` if the body keeps clear of all solids by `made`, the part of `d` that the
     /// level allowed. Otherwise returns the displacement to try instead of `d`.
     ///
     /// A solid moves straight by its motion while the body moves straight by `made`. Relative to

@@ -57,8 +57,8 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         Raw { x: sum.x / 4, y: sum.y / 4 }
     }
 
-    /// The bound of a turn, if the body does not get clear of it by `d`: the body stays in front of
-    /// the separation between the two.
+    /// The bound of a turn, if the body does not keep clear of it by `d`: the body stays in front
+    /// of the separation between the two.
     ///
     /// That is a face of the solid, which moves with its corners, or a direction in which a corner
     /// of the solid is first: along x or y, into a side of the body, or between the points that are

@@ -24,8 +24,8 @@ impl<S: Law> Mover<S> {
     /// ```
     ///
     /// Call it before the motion, with the same velocity. It does nothing if the motion hits no
-    /// face along x or y, or hits a floor. The step aside is the shortest one, exactly, from which
-    /// the motion gets farther, and it is free. If two are equally short, it chooses the one toward
+    /// face along x or y, or hits a floor. The step aside is the shortest one, exactly, that lets
+    /// the motion lead farther, and it is free. If two are equally short, it chooses the one toward
     /// which the velocity points, then the one to the left of the motion (y down).
     ///
     /// A body that moves sideways faster than `reach` per call can pass a gap within one frame. A
@@ -62,7 +62,7 @@ impl<S: Law> Mover<S> {
         Ok(if aside.overlaps_world(world) { *body } else { aside })
     }
 
-    /// The shortest step aside from which the motion of a run gets farther.
+    /// The shortest step aside that lets the motion of a run lead farther.
     fn aside<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, reach: i32) -> Option<Raw> {
         let d = run.motion;
         let hit = run.look(world, d)?;

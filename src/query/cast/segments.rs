@@ -244,7 +244,7 @@ pub(super) fn contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw,
     }
 }
 
-/// A segment as a circle comes to it.
+/// A segment that a circle meets.
 enum Facing {
     /// It overlaps nothing: it has no radius, or does not come near.
     Away,

@@ -135,7 +135,7 @@ impl Contact {
     }
 }
 
-/// A direction as an axis. Parallels to x and y get length one, which makes everything about them
+/// A direction as an axis. Parallels to x and y have length one, which makes everything about them
 /// exact. Zero gives +x.
 const fn parallel_to_unit(v: Raw) -> Axis {
     if v.y == 0 {

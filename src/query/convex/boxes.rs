@@ -142,7 +142,7 @@ pub(super) const fn spread(v: Raw) -> u32 {
     ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
 }
 
-/// How far to shift so that what these bits bound has so many at most, and a sign.
+/// How far to shift numbers that these bits bound, so they fit the given number of bits and a sign.
 pub(super) const fn shift_to(count: u32, bits: u32) -> u32 {
     (32 - count).saturating_sub(leading_zeros32(bits)) & 31
 }

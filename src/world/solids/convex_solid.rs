@@ -193,7 +193,7 @@ pub struct ConvexSolid<S> {
     flags: u8,
 }
 
-/// How a solid gets to its next shape.
+/// How a solid changes to its next shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Drive {
     Moves(Vec2),

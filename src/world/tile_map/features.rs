@@ -122,7 +122,7 @@ pub struct Features<'w, S: Set, T: Store> {
     pub(crate) map: &'w TileMap<'w, S, T>,
     look: CellQuery,
     walk: CellWalk,
-    /// The features of the cell that the walk has come to.
+    /// The features of the cell that the walk has reached.
     surface: S::CellSurface,
 }
 
@@ -151,7 +151,7 @@ impl<S: Set, T: Store> Features<'_, S, T> {
         self.surface.load(self.map, &self.walk, &self.look);
     }
 
-    /// The next feature of the cell that the walk has come to.
+    /// The next feature of the cell that the walk has reached.
     #[inline]
     pub(super) fn next_here(&mut self) -> Option<Feature> {
         while !self.surface.is_over() {
@@ -225,7 +225,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// The corners of the cell that a walk has come to.
+    /// The corners of the cell that a walk has reached.
     #[inline]
     pub(super) const fn corners(&self, walk: &CellWalk) -> (Raw, Raw) {
         if S::SHAPED && walk.in_map { self.grid.square(walk.x, walk.y) } else { self.extent(walk.x, walk.y) }

@@ -48,7 +48,7 @@ impl Surface {
 struct Asked {
     /// Whether the line is across x.
     is_x: bool,
-    /// Whether the box comes to a line of the other axis at the same moment.
+    /// Whether the box reaches a line of the other axis at the same moment.
     tie: bool,
     in_map: bool,
     pass_one_way: bool,
@@ -175,7 +175,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         BlockHit { x, y, flags, one_way, is_x, step: across.step, at_end, num: across.gap, den: across.way }
     }
 
-    /// The side of the cells behind a line that the front comes to.
+    /// The side of the cells behind a line that the front reaches.
     #[inline(never)]
     fn behind(&self, across: &Sides, aside: &mut Sides, asked: Asked) -> Surface {
         // The rear, at the moment at which the front is at the line.

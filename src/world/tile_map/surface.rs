@@ -13,7 +13,7 @@ use core::fmt::Debug;
 /// Public in a private module, because a sealed trait names it.
 #[derive(Clone, Copy, Debug)]
 pub struct CellWalk {
-    /// The cell that it has come to.
+    /// The cell that it has reached.
     pub(super) x: i32,
     pub(super) y: i32,
     /// Its kind.
@@ -106,7 +106,7 @@ pub trait TileSource {
     /// The corners of a cell with the band that it stands for.
     fn extent(&self, x: i32, y: i32) -> (Raw, Raw);
 
-    /// The corners of the cell that a walk has come to.
+    /// The corners of the cell that a walk has reached.
     fn corners(&self, walk: &CellWalk) -> (Raw, Raw);
 }
 
