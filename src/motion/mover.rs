@@ -234,7 +234,7 @@ impl<S: Law> Mover<S> {
     /// slopes or arcs at once and equally squarely takes the one toward +x first. A corner of a
     /// polygon or oriented box that meets a corner may end a raw unit off, or bounce off the other
     /// side (1 of 100 000 motions). Translated scenes give the same bits. So do scenes with x and y
-    /// exchanged, except for ties (x goes first) and a raw unit at corners.
+    /// exchanged, except for ties (x wins) and a raw unit at corners.
     ///
     /// Cost: one look at each cell under the motion, if all are empty. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A

@@ -262,7 +262,7 @@ impl UnitVec2 {
 }
 
 /// `unit * length / 2^30`, toward zero: |unit| is at most 2^30, so it is as large as the length at
-/// most, 2^31; that saturates where it is positive.
+/// most, 2^31; that saturates if it is positive.
 const fn part(unit: i32, length: i32) -> i32 {
     let size = (umul(unit.unsigned_abs(), length.unsigned_abs()) >> 30) as u32;
     if (unit < 0) != (length < 0) {

@@ -22,8 +22,8 @@ pub(super) struct Met {
 }
 
 impl Met {
-    /// In the order of the pair, so it does not matter which body asks. The ways start at the time
-    /// from which both bodies are on them.
+    /// In the order of the pair, so the result is the same for both bodies. The ways start at the
+    /// time from which both bodies are on them.
     #[inline(never)]
     pub(super) fn of<S: BodyShape>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Option<Self> {
         let pair = pair(one, other);
@@ -63,9 +63,9 @@ impl Met {
     }
 }
 
-/// The first end of a way among those that were compared. The level's end goes before a body's at
-/// the same time. Among bodies, the one with the smaller key goes first, then that in the smaller
-/// slot.
+/// The first end of a way among those that were compared. At the same time the end at the level
+/// wins over that at a body. Among bodies, the one with the smaller key wins, then that in the
+/// smaller slot.
 pub(super) struct FirstEnd {
     pub(super) end: (Toi, End),
     /// The key and the slot of the body, if one ends it.

@@ -31,7 +31,7 @@ impl fmt::Display for CompoundError {
 impl core::error::Error for CompoundError {}
 
 pub(crate) mod kernel {
-    //! What a compound asks of shapes.
+    //! The requirements of a compound to its parts.
 
     use super::{Aabb, RangeError, Vec2};
 

@@ -1,7 +1,7 @@
 //! A convex shape as a level meets it.
 //!
-//! A level asks about its pieces one by one: boxes, polygons and quarters of discs, or segments and
-//! one winding number. Only a program that asks about one of these shapes links any of it.
+//! A level tests its pieces one by one: boxes, polygons and quarters of discs, or segments and one
+//! winding number. Only a program with queries for one of these shapes links any of it.
 
 use crate::num::Raw;
 use crate::query::{Core, meets};

@@ -162,7 +162,7 @@ pub(in crate::world) fn precedes(a: &Feature, b: &Feature) -> bool {
 /// Public in a private module, because a sealed trait's method takes it.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionPiece<'a> {
-    /// Holds whatever of the level the inside of the body's bounds meets in this piece.
+    /// Holds the part of the level that the inside of the body's bounds meets in this piece.
     pub(crate) piece: &'a Aabb,
     /// The cells that the inside of the piece meets, if they are known.
     pub(crate) cells: Option<Cells>,

@@ -216,7 +216,7 @@ const fn ceil(radii: i32, overlap: i64, n: u64, floor: u32) -> i32 {
     radii.wrapping_add(floor as i32).wrapping_add(!exact as i32)
 }
 
-/// A magnitude in Q30 times a length below 2^30, rounded up, one unit more where it is whole.
+/// A magnitude in Q30 times a length below 2^30, rounded up, one unit more if it is whole.
 ///
 /// Depths are below 2^30 as well: the normal of a segment is the axis only where it gives less
 /// than x and y do.

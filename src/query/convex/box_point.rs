@@ -149,7 +149,7 @@ impl BoxPoint {
         }
     }
 
-    /// How they overlap; an error where two sides are as near, or nearly.
+    /// How they overlap; an error if two sides are as near, or nearly.
     #[inline]
     pub(super) fn contact(&self) -> Result<Option<Contact>, Unsure> {
         let part = self.part();

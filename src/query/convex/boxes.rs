@@ -61,8 +61,8 @@ impl Parallelogram {
     }
 }
 
-/// The side of the sum of two boxes that is nearest to the origin; none where they do not overlap,
-/// and an error where another side is as near, or nearly.
+/// The side of the sum of two boxes that is nearest to the origin; none if they do not overlap,
+/// and an error if another side is as near, or nearly.
 ///
 /// The margin across a side is twice the height of the nearer one of two opposite sides.
 pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<PolygonSide>, Unsure> {
@@ -85,7 +85,7 @@ pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Pol
     Ok(Some(side_toward(p, q, (k, side), toward < 0).0))
 }
 
-/// Where the origin is relative to the sum of two boxes; none where sides of both make up one.
+/// Where the origin is relative to the sum of two boxes; none if sides of both make up one.
 pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<Place> {
     let d = q.middle.sub(p.middle);
     let sides = [p.u, p.v, q.u, q.v];
@@ -107,7 +107,7 @@ pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<Place> {
     Some(nearest.place())
 }
 
-/// How two boxes overlap; an error where two sides are as near, or nearly.
+/// How two boxes overlap; an error if two sides are as near, or nearly.
 pub(super) fn contact(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Contact>, Unsure> {
     let side = nearest(p, q)?;
     Ok(side.map(|side| across(&side, p.corner(side.a), q.corner(side.b))))

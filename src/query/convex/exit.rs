@@ -11,7 +11,7 @@ use super::walk::{Core, Corner, PolygonSide, SideWalk};
 use crate::num::Raw;
 use crate::query::contact::Contact;
 
-/// The least exit, and the side of the sum that it is across; none where it is from corner to
+/// The least exit, and the side of the sum that it is across; none if it is from corner to
 /// corner.
 pub(super) struct Exit {
     pub(super) contact: Contact,

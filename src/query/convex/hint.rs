@@ -1,4 +1,4 @@
-//! What separated two shapes last: asked first, it mostly still does.
+//! The last separation of two shapes. It is tested first, because it mostly still separates them.
 
 use super::each_side;
 use super::meets::corners_meet;
@@ -44,7 +44,7 @@ impl Separation {
     }
 
     /// Whether it still separates the shapes: by three or four signs of products, and by squares
-    /// where there are radii.
+    /// if there are radii.
     fn separates(self, a: Core<'_>, b: Core<'_>) -> bool {
         let (i, j) = (usize::from(self.a), usize::from(self.b));
         if i >= a.corners.len() || j >= b.corners.len() {

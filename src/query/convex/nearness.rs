@@ -93,7 +93,7 @@ impl<T> Least<T> {
         Self(None)
     }
 
-    /// An error where the leading bits do not tell the next one from the nearest.
+    /// An error if the leading bits do not distinguish the next one from the nearest.
     #[inline]
     pub(super) fn add(&mut self, near: Nearness, value: impl FnOnce() -> T) -> Result<(), Unsure> {
         match self.0.as_ref().map(|(least, _)| near.cmp(least)) {

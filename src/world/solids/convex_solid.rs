@@ -187,7 +187,7 @@ pub struct ConvexSolid<S> {
     /// The shape after this frame.
     next: S,
     drive: Drive,
-    /// The box around both. Every body asks for it, so each change of the solid computes it once.
+    /// The box around both. Every body needs it, so each change of the solid computes it once.
     pub(super) whole: Aabb,
     key: u16,
     flags: u8,
@@ -197,7 +197,7 @@ pub struct ConvexSolid<S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Drive {
     Moves(Vec2),
-    /// The first corner goes to the corner `shift` of the next shape, and so on around. `longest`
+    /// The first corner moves to the corner `shift` of the next shape, and so on around. `longest`
     /// is the longest displacement of a corner along x or y.
     Turns {
         shift: usize,

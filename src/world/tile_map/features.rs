@@ -1,4 +1,4 @@
-//! The surface of a level, derived from its tiles when asked.
+//! The surface of a level, derived from its tiles on request.
 
 use super::surface::{CellQuery, CellSurface, CellWalk, TileSource};
 use super::{Set, Store, TileMap};
@@ -79,7 +79,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.features_for(&CellQuery::all(region))
     }
 
-    /// Those that a query asks for.
+    /// The features of a query.
     #[inline(never)]
     pub(super) const fn features_for(&self, look: &CellQuery) -> Features<'_, S, T> {
         let ((lo, hi), one) = (look.region, Raw { x: 1, y: 1 });
@@ -87,7 +87,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Features { map: self, look: *look, walk: self.walk_of(range, Range::NONE), surface: S::CellSurface::NONE }
     }
 
-    /// Those that a query asks for, of no cell yet.
+    /// A cursor for the features of a query, at no cell yet.
     #[inline]
     pub(super) const fn features_of(&self, look: &CellQuery) -> Features<'_, S, T> {
         Features { map: self, look: *look, walk: CellWalk::NONE, surface: S::CellSurface::NONE }

@@ -1,4 +1,4 @@
-//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is
+//! A tile map as a level: its cells, which of them a box of coordinates reaches, and if there is
 //! anything at all.
 
 use super::clear::is_clear;

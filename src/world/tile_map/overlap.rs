@@ -431,7 +431,7 @@ const fn triangle(m: Raw, r: i32, p: u8, q: u8, side: i32, closed: bool) -> bool
     reaches(x, y, r, closed)
 }
 
-/// A circle against the cell without the open quarter disc around its far corner; none where it is
+/// A circle against the cell without the open quarter disc around its far corner; none if it is
 /// as one against the whole cell.
 ///
 /// With `n` the centre relative to that corner, toward the solid: beyond the cell the nearest point

@@ -49,7 +49,7 @@ impl CellWalk {
 pub struct CellQuery {
     /// Closed.
     pub(super) region: (Raw, Raw),
-    /// Only what opposes this motion; all where it is zero.
+    /// Only what opposes this motion; all if it is zero.
     pub(super) d: Raw,
     /// Whether the joints of faces matter.
     pub(super) joints: bool,
