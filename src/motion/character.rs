@@ -7,14 +7,14 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
 use crate::world::{Solids, World};
 
-/// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
-/// rides on [`Solid`](crate::Solid)s, or on solids of
-/// [any convex shape](crate::world::ConvexSolid).
+/// The hero of a platformer. It runs, jumps, walks on slopes and steps, drops through platforms and
+/// rides on [`Solid`](crate::Solid)s, or on solids of [any convex
+/// shape](crate::world::ConvexSolid).
 ///
-/// One call per frame does all of it: [`step`](Self::step), or [`step_on`](Self::step_on) if solids
-/// move. Each links only the code that it uses. `B` is the [body](crate::Body): an [`Aabb`], a
-/// [`Circle`](crate::Circle), a [`Capsule`](crate::Capsule), a turned box or a polygon. Plain data:
-/// a copy is a snapshot.
+/// Make one call per frame: [`step`](Self::step), or [`step_on`](Self::step_on) if solids move.
+/// Each links only the code that it uses. `B` is the [body](crate::Body): an [`Aabb`], a
+/// [`Circle`](crate::Circle), a [`Capsule`](crate::Capsule), an oriented box or a polygon. Plain
+/// data: a copy is a snapshot.
 ///
 /// ```
 /// use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -32,29 +32,29 @@ use crate::world::{Solids, World};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// If you need another rule, call the pieces yourself: [`Walker::walk`], [`Mover::ride`],
+/// If you need other rules, call the parts yourself: [`Walker::walk`], [`Mover::ride`],
 /// [`Solid::move_all`](crate::Solid::move_all), [`Joined`](crate::Joined).
 #[doc(alias("CharacterBody2D", "player", "enemy", "knockback", "dash", "spring"))]
 #[doc(alias = "KinematicCharacterController")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Character<B = Aabb> {
-    /// Units per frame. Change it to throw the character: a spring or a stomp sets `velocity.y`, a
-    /// ladder does in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step) adds
-    /// gravity first: a launch at -4 rises by 3.75 in its first frame. (A jump at 4 rises by 4.)
+    /// The velocity, in units per frame. You may change it: a spring or a stomp sets `velocity.y`
+    /// once, a ladder in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step)
+    /// adds gravity first: a launch at -4 rises by 3.75 in its first frame, a jump at 4 by 4.
     ///
-    /// If you make it rise faster than the last step left it, it leaves its floor as by a jump, and
-    /// has no coyote time. No release of the button cuts the rise.
+    /// If you set a faster rise than the last step left, the character leaves its floor as by a
+    /// jump, without coyote time. Releasing the button does not cut this rise.
     ///
-    /// On a moving solid it is the velocity seen from there. However the character leaves it (by a
-    /// jump, a drop, a launch, or over its edge), the solid's motion is added, and stays as
-    /// [`Feel::on_leave`] says.
+    /// On a moving solid, the velocity is relative to the solid. When the character leaves the
+    /// solid (by a jump, a drop, a launch, or over its edge), the solid's motion is added.
+    /// [`Feel::on_leave`] says how long it is kept.
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,
     pub(super) body: B,
     pub(super) limits: Aabb,
     pub(super) floor: Option<Support>,
-    /// The motion of the solid that it left. Seen from there, its flight is that on still ground.
+    /// The motion of the solid that it left, relative to which it flies as from still ground.
     pub(super) base: Vec2,
     /// How far it still falls through one-way floors below the solid that it dropped from.
     pub(super) through: Fx,
@@ -64,7 +64,7 @@ pub struct Character<B = Aabb> {
     pub(super) held: bool,
     /// Whether it rises from its own jump.
     pub(super) jumps: bool,
-    /// For how many more frames a press of the button counts.
+    /// For how many more frames a press of the button starts a jump.
     pub(super) wish: u8,
     /// Frames since it stood; the largest number after a jump.
     pub(super) away: u8,
@@ -88,9 +88,9 @@ pub(super) struct Plan {
 }
 
 impl<B: Body> Character<B> {
-    /// A character in the air. `limits` is usually the level's box. Once the body is outside of it
-    /// at the sides or below, [`step`](Self::step) returns [`Outcome::OutOfLevel`]. Above is
-    /// allowed, so a hero can jump over a side wall that ends there.
+    /// A character in the air. `limits` is usually the box of the level. Once the body is entirely
+    /// beside or below it, [`step`](Self::step) returns [`Outcome::OutOfLevel`]. The body may be
+    /// above it, so a hero can jump over a side wall that ends there.
     #[must_use]
     pub const fn new(body: B, limits: Aabb, feel: Feel) -> Self {
         Self {
@@ -111,14 +111,14 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// Puts the character at another position, in the air and at rest. Checks nothing: if it is in
-    /// the solid, the next step returns [`Outcome::Stuck`].
+    /// Puts the character at another position, in the air and at rest. Checks nothing: if the body
+    /// is in the solid, the next step returns [`Outcome::Stuck`].
     pub fn place(&mut self, body: B) {
         *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
     }
 
-    /// Takes the character into another [`Room`](crate::world::Room): its position changes by `by`,
-    /// and its limits become those of the room. Velocity, floor and timers go on.
+    /// Moves the character into another [`Room`](crate::world::Room). Its position changes by `by`,
+    /// and `limits` replaces its limits. Velocity, floor and timers are unchanged.
     ///
     /// Call it between two steps, with what [`Rooms::next`](crate::world::Rooms::next) or
     /// [`Room::next_of`](crate::world::Room::next_of) returns. Checks nothing in the level: both
@@ -156,8 +156,8 @@ impl<B: Body> Character<B> {
         Ok(())
     }
 
-    /// Changes the body where it stands, and keeps everything else: to crouch, to grow, to nudge
-    /// it. Returns whether there is room. If the new body would overlap the level, nothing changes.
+    /// Replaces the body, and keeps everything else: to crouch, to grow, or to nudge it. Returns
+    /// whether there is room. If the new body would overlap the level, nothing changes.
     ///
     /// Keep the feet where they are, or the character falls. With moving solids, pass the level
     /// [`Joined`](crate::Joined) with them.
@@ -180,7 +180,7 @@ impl<B: Body> Character<B> {
     ///     let _ = hero.step(&level, Input { run: fx!(1), ..Input::default() })?;
     /// }
     /// let up = sized(&hero, fx!(24))?;
-    /// assert!(!hero.set_body(&level, up)); // under the ceiling it has to stay low
+    /// assert!(!hero.set_body(&level, up)); // no room to stand up under the ceiling
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[doc(alias("crouch", "resize"))]
@@ -213,8 +213,8 @@ impl<B: Body> Character<B> {
         self.floor.is_some()
     }
 
-    /// The key of the solid that it stands on. `None` across a solid and other floor of one height,
-    /// though the solid may carry it all the same.
+    /// The key of the solid that it stands on. `None` if the character stands on a solid and on
+    /// other floor at the same height. The solid may still carry it.
     #[must_use]
     pub const fn ridden(&self) -> Option<u16> {
         match self.floor {
@@ -225,19 +225,19 @@ impl<B: Body> Character<B> {
 
     /// Moves the character for one frame in a level without moving solids.
     ///
-    /// Cost: that of [`Walker::walk`].
+    /// Cost: one [`Walker::walk`].
     ///
     /// # Errors
     /// [`RangeError`] if a speed or the body's half extent is not below 4096 units, or the
-    /// [`Feel`]'s snap or step is negative or not below that. Always if the body cannot move: a
-    /// slanted capsule, or one without radius. The character is then unchanged.
+    /// [`Feel`]'s snap or step is negative or not below that. Always if the body cannot move, such
+    /// as a slanted capsule or one without radius. The character is then unchanged.
     pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {
         self.step_carried(level, input, Vec2::ZERO)
     }
 
     /// The second half of [`step_on`](Self::step_on), in a level [`Joined`](crate::Joined) with the
-    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned, whose
-    /// example shows both.
+    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned. The
+    /// example of `ride` shows both.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -264,12 +264,12 @@ impl<B: Body> Character<B> {
         if self.feel.falls_to_larger_y() { y } else { y.saturating_neg() }
     }
 
-    /// The speed of its fall.
+    /// The speed at which it falls.
     pub(super) const fn falls(&self) -> Fx {
         self.downward(self.velocity.y)
     }
 
-    /// Timers, gravity, launches, jumps and running: the velocity of this frame.
+    /// Updates the timers, and returns the velocity of this frame after all rules.
     pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
         let feel = self.feel;
         let stands = self.floor.is_some();
@@ -282,8 +282,7 @@ impl<B: Body> Character<B> {
         let keeps = stands || feel.on_leave == OnLeave::Keep;
         let base = if keeps { self.base } else { Vec2::ZERO };
         let base_fall = self.downward(base.y);
-        // Off a sinking solid it falls faster by the solid's speed. Above a rising one it falls no
-        // slower.
+        // Off a sinking solid it falls faster by the solid's speed; above a rising one no slower.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
         let mut run = toward(self.velocity.x.saturating_sub(base.x), input.run, rate);
         let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;
@@ -326,9 +325,9 @@ impl<B: Body> Character<B> {
             self.away = u8::MAX;
         }
         let walker = self.walker(self.passes(input.drop))?;
-        // A solid that sinks comes below the feet again, before the body falls. Farther below it
-        // than it sinks in a frame, the drop is over. It sinks by at most the snap; the rest is for
-        // one that speeds up.
+        // A solid that sinks moves below the feet first, before the body falls. The drop is over
+        // once the body is farther below than the solid sinks in a frame. It sinks by at most the
+        // snap; the rest is for a solid that speeds up.
         if drops && self.ridden().is_some() {
             let sinks = self.downward(carry.y).max(Fx::ZERO);
             self.through = feel.snap.saturating_add(sinks).saturating_add(Fx::DELTA);
@@ -337,8 +336,8 @@ impl<B: Body> Character<B> {
 
         let base = if keeps { self.base } else { Vec2::ZERO };
         let velocity = Vec2::new(run, self.downward(fall)) + base;
-        // A push in its own direction makes a part of its way. So does the solid that it left, if
-        // that comes below its feet in the frame in which it lands.
+        // A push along the velocity has already made a part of this frame's motion. So has the
+        // solid that the character left, if it comes under its feet in the frame of the landing.
         let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
         let pushed = Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y));
         let made = if stands { carry } else { pushed };
@@ -372,8 +371,8 @@ impl<B: Body> Character<B> {
         let stood = self.floor.is_some();
         let landed = !stood && walked.met_floor;
         (self.body, self.floor) = (moved.body, walked.floor);
-        // The parts of the velocity that nothing changed go on. On a solid, the velocity counts as
-        // seen from the solid again.
+        // The components of the velocity that nothing changed are kept. On a solid, the velocity is
+        // relative to the solid again.
         let (now, was) = (moved.velocity, plan.velocity);
         let free = if plan.walks { (!moved.wall, !moved.ceiling) } else { (now.x == was.x, now.y == was.y) };
         let kept = |v: Vec2| {

@@ -8,7 +8,7 @@ use core::fmt;
 use core::iter::{Chain, Flatten};
 use core::slice::Iter;
 
-/// Where a body ended up, and what happened on the way.
+/// The result of a motion: the new position, the new velocity and the hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("KinematicCollision2D", "cols"))]
 pub struct Moved<B> {
@@ -16,9 +16,9 @@ pub struct Moved<B> {
     pub body: B,
     /// The velocity after the response. Pass it to the next call.
     pub velocity: Vec2,
-    /// The motion that was not made: the rest of a stopped body's motion, or what is left after
-    /// [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces, in a tight place or after as many
-    /// bounces.
+    /// The motion that was not made, in units. It is the rest of a stopped body's motion, or what
+    /// remains after [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces: in a tight spot, or
+    /// after that many bounces.
     pub remaining: Vec2,
     /// The hits, in order.
     pub hits: Hits,
@@ -56,7 +56,8 @@ impl<B: Body> Moved<B> {
         }
     }
 
-    /// A copy as a result, part by part: inline, not by the compiler's routine of 700 bytes.
+    /// Copies the result field by field, inline: a call of the compiler's copy routine would link
+    /// 700 bytes.
     #[inline(always)]
     pub(super) fn copied(&self) -> Result<Self, super::MoveError> {
         let mut result = Ok(Self::freely(self.body, self.velocity, 0));
@@ -109,8 +110,8 @@ pub struct Stuck {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MoveError {
-    /// The velocity or the body is too large, for numbers or for the level's cells, or the motion
-    /// would leave the domain.
+    /// The velocity or the body is too large, the motion visits too many cells, or it would leave
+    /// the domain.
     Range(RangeError),
     /// The body already overlaps the level.
     Stuck(Stuck),
@@ -144,17 +145,19 @@ impl core::error::Error for MoveError {}
 
 /// One hit of a moving body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-// The flag that tells `None` from `Some` stays behind the words. In front of them, what is copied
-// after it begins at an odd address: 8834 instructions for a hero's frame on a Cortex-M0, not 5658.
+// The flag that distinguishes `None` from `Some` is behind the words. In front of them, the
+// following fields would begin at an odd address: 8834 instructions for a hero's frame on a
+// Cortex-M0, not 5658.
 #[repr(C)]
 pub struct Hit {
-    /// The part of the motion made before the hit. Exact, rounded down, for the first hit on a face
-    /// along x or y, and for a box on the slope of a tile. Elsewhere early by less than a raw unit
-    /// of way. Later hits of one call add the roundings of the earlier ones.
+    /// The part of the motion made before the hit: a fraction of the motion, 0 to 1. For the first
+    /// hit on a face along x or y, and for a box on the slope of a tile, it is exact, rounded down.
+    /// At other surfaces it may be early, by less than one raw unit of travel. A later hit of the
+    /// same call adds the rounding of the earlier ones.
     pub toi: Toi,
     /// The exact normal of the surface: out of the solid, toward the body.
     pub axis: Axis,
-    /// The cell of the level.
+    /// The cell of the level that was hit.
     pub cell: Cell,
     /// Which feature of the cell, as [`Feature::index`](crate::world::Feature::index).
     pub index: u16,
@@ -167,15 +170,15 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// How hard the body hit: the speed into the surface, in units per call. For damage, dust and
-    /// sounds.
+    /// The speed into the surface, in units per call: how hard the body hit. Use it for damage,
+    /// dust and sounds.
     ///
-    /// `velocity` is the one before the call; a scene's events
-    /// [give it](crate::scene::SceneEvent::Level). For a surface that moves, subtract its own.
+    /// `velocity` is the velocity before the call; the events of a scene [contain
+    /// it](crate::scene::SceneEvent::Level). For a surface that moves, subtract its velocity.
     /// Rounded as [`Axis::approach`].
     ///
-    /// A later hit of the same call gets the part of the whole call's velocity into its surface. If
-    /// an earlier hit had taken a part of that, the body was slower than this.
+    /// For a later hit of the same call, this is still the part of the whole velocity into its
+    /// surface. If an earlier hit took a part of that, the body was slower.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -204,8 +207,7 @@ impl Hit {
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hits {
-    /// In halves: 48 bytes are made and copied inline, but 96 by a library routine for memory of
-    /// any size.
+    /// In halves: 48 bytes are made and copied inline, but 96 bytes by a library routine.
     early: [Option<Hit>; 2],
     late: [Option<Hit>; 2],
     seen: u8,
@@ -289,7 +291,7 @@ impl Hits {
     /// let level = TileMap::from_ascii("..#\n..#\n###", &KINDS)?;
     /// let body = Aabb::new(Vec2::from_ints(16, 16), Vec2::from_ints(24, 26))?;
     /// let moved = Mover::new().move_and_slide(&level, &body, Vec2::from_ints(16, 9))?;
-    /// let mut log = heapless::Vec::<_, 8>::new(); // of several frames, or of several bodies
+    /// let mut log = heapless::Vec::<_, 8>::new(); // of several frames or bodies
     /// moved.hits.copy_to(&mut log)?;
     /// assert_eq!(log.iter().map(|hit| hit.axis).collect::<Vec<_>>(), [Axis::NEG_X, Axis::NEG_Y]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -7,9 +7,9 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// A position or displacement in units.
 ///
-/// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the
-/// ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods return `None`
-/// instead.
+/// Methods have the names of glam, if glam has them. Operators never panic and never wrap: they
+/// saturate at the ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods
+/// return `None` instead.
 ///
 /// | operator | rounding | overflow, and division by zero |
 /// |---|---|---|
@@ -60,8 +60,8 @@ impl Vec2 {
         Self::from_raw((x as i32) << 16, (y as i32) << 16)
     }
 
-    /// A vector from floating point, each component rounded to nearest, ties to even; `None` where
-    /// one is not finite or does not fit 16.16.
+    /// A vector from floating point, each component rounded to nearest, ties to even. `None` if one
+    /// is not finite or does not fit 16.16.
     ///
     /// No query uses it. It computes with integers only, so a chip without an FPU links no
     /// floating-point routine.
@@ -70,7 +70,7 @@ impl Vec2 {
         Some(Self { x: Fx::checked_from_num(x)?, y: Fx::checked_from_num(y)? })
     }
 
-    /// Both components as floating point, rounded to nearest, ties to even: for drawing.
+    /// Both components as floating point, rounded to nearest, ties to even. Use it for drawing.
     ///
     /// Exact below 256 units: an `f32` has 24 bits.
     ///
@@ -82,7 +82,7 @@ impl Vec2 {
         (self.x.to_num(), self.y.to_num())
     }
 
-    /// The whole units below, toward negative infinity: the pixel that holds the point.
+    /// The pixel that holds the point: whole units, rounded toward negative infinity.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};
@@ -126,7 +126,7 @@ impl Vec2 {
         super::usqr(x.unsigned_abs()).wrapping_add(super::usqr(y.unsigned_abs()))
     }
 
-    /// The length, rounded down to a raw unit; saturates above 32767 units.
+    /// The length, rounded down to a raw unit; saturates above 32 767 units.
     ///
     /// Cost: one square root, about 300 instructions on a Cortex-M0.
     #[must_use]
@@ -187,19 +187,19 @@ impl Vec2 {
         Self::from_raw(saturated(quotient(x, divisor)), saturated(quotient(y, divisor)))
     }
 
-    /// `self + rhs`; `None` where a component does not fit 16.16.
+    /// `self + rhs`; `None` if a component does not fit 16.16.
     #[must_use]
     pub const fn checked_add(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_add(rhs.x), self.y.checked_add(rhs.y))
     }
 
-    /// `self - rhs`; `None` where a component does not fit 16.16.
+    /// `self - rhs`; `None` if a component does not fit 16.16.
     #[must_use]
     pub const fn checked_sub(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_sub(rhs.x), self.y.checked_sub(rhs.y))
     }
 
-    /// `self * factor`, each component rounded toward zero; `None` where one does not fit 16.16.
+    /// `self * factor`, each component rounded toward zero; `None` if one does not fit 16.16.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};
@@ -212,7 +212,7 @@ impl Vec2 {
         both(fitting(product(x, factor)), fitting(product(y, factor)))
     }
 
-    /// `self / divisor`, each component rounded toward zero; `None` where one does not fit 16.16,
+    /// `self / divisor`, each component rounded toward zero; `None` if one does not fit 16.16,
     /// or the divisor is zero.
     #[must_use]
     pub const fn checked_div(self, divisor: Fx) -> Option<Self> {
@@ -286,7 +286,7 @@ impl Div<Fx> for Vec2 {
     }
 }
 
-/// Exact, or saturated.
+/// Exact, or saturates.
 impl Mul<i32> for Vec2 {
     type Output = Self;
     fn mul(self, factor: i32) -> Self {
@@ -295,7 +295,7 @@ impl Mul<i32> for Vec2 {
     }
 }
 
-/// Rounded toward zero; by zero as [`saturating_div`](Vec2::saturating_div).
+/// Rounded toward zero; division by zero as in [`saturating_div`](Vec2::saturating_div).
 impl Div<i32> for Vec2 {
     type Output = Self;
     fn div(self, divisor: i32) -> Self {
@@ -343,7 +343,7 @@ impl Neg for Vec2 {
     }
 }
 
-/// Width, precision and sign are those of each component, as with a tuple.
+/// The options for width, precision and sign apply to each component, as with a tuple.
 ///
 /// ```
 /// let v = tilesat::Vec2::from_ints(1, -2);
@@ -364,15 +364,15 @@ impl From<(Fx, Fx)> for Vec2 {
     }
 }
 
-/// Whole units. Exact.
+/// A vector of whole units. Exact.
 impl From<(i16, i16)> for Vec2 {
     fn from((x, y): (i16, i16)) -> Self {
         Self::from_ints(x, y)
     }
 }
 
-/// Whole units. Fails if one does not fit 16.16 (-32768 to 32767). The error's value is then the
-/// end of the range that it exceeds.
+/// A vector of whole units. Fails if one does not fit 16.16 (-32 768 to 32 767). The value of the
+/// error is then the end of the range that it exceeds.
 ///
 /// ```
 /// use tilesat::{Quantity, Vec2};

@@ -27,7 +27,7 @@ pub struct Grid {
     pub(super) x: GridAxis,
     pub(super) y: GridAxis,
     pub(super) cell: i32,
-    /// 0 where the cell is a power of two, else `ceil(2^(31 + log) / cell)`.
+    /// 0 if the cell is a power of two, else `ceil(2^(31 + log) / cell)`.
     pub(super) magic: u32,
     /// `floor(log2 cell)`, 8 to 24.
     pub(super) log: u8,
@@ -40,7 +40,7 @@ pub(super) struct GridAxis {
     pub(super) origin: i32,
     /// The length of all cells, below 2^30.
     pub(super) size: i32,
-    /// The number of cells, 1 to 32767.
+    /// The number of cells, 1 to 32 767.
     pub(super) count: u16,
 }
 
@@ -49,8 +49,8 @@ impl Grid {
     /// `origin`.
     ///
     /// # Errors
-    /// [`TileMapError`] if a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24 raw
-    /// (1/256 to 256 units). Also if an end of the grid is outside the
+    /// [`TileMapError`] if a count is 0 or above 32 767, or the cell is odd or not in 2^8..=2^24
+    /// raw (1/256 to 256 units). Also if an end of the grid is outside the
     /// [domain](crate::num::DOMAIN).
     pub const fn new(width: u16, height: u16, cell: Fx, origin: Vec2) -> Result<Self, TileMapError> {
         if width == 0 || height == 0 {
@@ -102,11 +102,11 @@ impl Grid {
         Vec2::from_raw(self.x.origin.wrapping_add(self.x.size), self.y.origin.wrapping_add(self.y.size))
     }
 
-    /// The cell that holds a point: left and upper borders belong to it, right and lower ones to
-    /// the next.
+    /// The cell that holds a point. Left and upper borders belong to the cell, right and lower ones
+    /// to the next.
     ///
     /// Exact for every `p`; beyond the map, -1 or the width (the height). Cost: about 40
-    /// instructions on a Cortex-M0, twice that where the cell is no power of two; no division.
+    /// instructions on a Cortex-M0, twice that if the cell is not a power of two; no division.
     ///
     /// ```
     /// use tilesat::{Cell, Grid, Vec2, fx};
@@ -121,8 +121,8 @@ impl Grid {
         Cell::of(self.column(p.x), self.row(p.y))
     }
 
-    /// The position of a cell among bytes that are row after row, as
-    /// [`TileMap::of`](crate::TileMap::of) takes them. `None` beyond the map.
+    /// The index of a cell in bytes that are row after row, as for
+    /// [`TileMap::of`](crate::TileMap::of). `None` beyond the map.
     ///
     /// ```
     /// use tilesat::{Cell, Grid, Vec2, fx};
@@ -157,7 +157,8 @@ impl Grid {
         self.index(y, &self.y)
     }
 
-    /// The columns of two coordinates, `hi` not less than `lo - 1`, near each other as a rule.
+    /// The columns of two coordinates, `hi` not less than `lo - 1`, which are usually near each
+    /// other.
     #[inline]
     pub(super) const fn columns(&self, lo: i32, hi: i32) -> (i32, i32) {
         self.indices(lo, hi, &self.x)
@@ -194,7 +195,7 @@ impl Grid {
     }
 
     /// The last cell that begins before a distance from the origin, not less than the `first`;
-    /// stepped, because as a rule it is near.
+    /// found by steps, because it is usually near.
     #[inline]
     pub(super) const fn last_before(&self, distance: i32, first: i32) -> i32 {
         let (mut index, mut end) = (first, self.line(first.wrapping_add(1)));
@@ -223,7 +224,7 @@ impl Grid {
     /// cannot reach the next multiple. `m <= 2^31`, as `cell > 2^(l - 1)`.
     #[inline]
     pub(super) const fn quotient(&self, d: u32) -> u32 {
-        // Of the shift by 31 + log, 32 is the high word of the product.
+        // The high word of the product makes 32 of the shift by 31 + log.
         if self.magic == 0 {
             d >> (self.log & 31)
         } else if SPLIT {
@@ -233,11 +234,11 @@ impl Grid {
         }
     }
 
-    /// The same for indices below 2^15 without a long product.
+    /// [`quotient`](Self::quotient) for results below 2^15, without a long product.
     ///
     /// d / 2^(log - 1) is below 2^17, and the magic's upper half at most 2^15: the product is below
     /// 2^32. The first quotient loses less than 1 of it, which is half a cell, and the second less
-    /// than 2^17 / 2^16 cells. So three steps are enough; a loop would be unrolled, and dearer.
+    /// than 2^17 / 2^16 cells. So three steps are enough; a loop would be unrolled, and cost more.
     pub(super) const fn quotient_by_words(&self, d: u32) -> u32 {
         let index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
         let (rest, cell) = (d.wrapping_sub(index.wrapping_mul(self.cell as u32)), self.cell as u32);

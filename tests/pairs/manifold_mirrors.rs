@@ -1,5 +1,5 @@
 //! Mirrored, transposed, exchanged and moved scenes have mirrored manifolds: as many points, at
-//! mirrored places. All turned boxes and polygons of a small lattice.
+//! mirrored places. All oriented boxes and polygons of a small lattice.
 
 use super::symmetry::MAPS;
 use tilesat_judge::convex::ask;

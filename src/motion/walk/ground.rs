@@ -12,10 +12,10 @@ use crate::num::{Axis, DOMAIN, Fx, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
 use crate::world::{Cell, Feature, World};
 
-/// The floor under a body.
+/// The floor on which a body stands.
 ///
-/// Plain data. If a body stands on several tiles of one height, their flags are or-ed and the cell
-/// is one of theirs.
+/// Plain data. If a body stands on several tiles at the same height, their flags are or-ed, and the
+/// cell is that of one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -52,14 +52,13 @@ impl From<Hit> for Support {
 /// at slopes and corners.
 pub(in crate::motion) const CONTACT: i32 = 8;
 
-/// How far down a wedged body is not free to go, raw. A way slower than the rounding distance leads
-/// nowhere. Ground flatter than 1 in 256 therefore holds every body, as it does under a gravity of
-/// 1/64 unit.
+/// A body is wedged if no free direction leads down by this much, raw. A way slower than the
+/// rounding distance leads nowhere. Ground flatter than 1 in 256 therefore holds every body, as it
+/// does under a gravity of 1/64 unit.
 const DROP: i32 = 1 << 10;
 
 impl Mover {
-    /// The floor that carries a body which does not move: less than 8 raw units below it, against
-    /// "up".
+    /// The floor that carries a body at rest: less than 8 raw units below it, against "up".
     ///
     /// The mover's slope limit decides which surfaces are floor. One-way faces carry a body that is
     /// entirely above them, unless the mover drops through. A mover without an "up" has no floor.
@@ -114,11 +113,12 @@ impl Ground {
 }
 
 pub(super) trait Look {
-    /// The first hit on a way that the body does not make, on the part of it [`within`] the domain.
+    /// The first hit of a motion that the body does not make, on the part of it [`within`] the
+    /// domain.
     fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
 
-    /// The same from another position, whatever is on the way there and at it. If the body is
-    /// inside the solid, its way out is no hit.
+    /// [`look`](Self::look) from another position, whatever is between the two and at it. If the
+    /// body is inside the solid, leaving it is no hit.
     fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground>;
 
     /// The floor that carries the body: within [`CONTACT`] below, also beside a wall that leans on

@@ -244,7 +244,7 @@ pub(super) fn contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw,
     }
 }
 
-/// A segment as a circle comes to it.
+/// A segment that a circle meets.
 enum FacedSegment {
     /// It overlaps nothing: it has no radius, or does not come near.
     Away,
@@ -345,7 +345,7 @@ impl Slanted {
             return Course::Free;
         }
         let du = e.dot(d);
-        // As seen from an end; `turned` where the outer side is on the right then.
+        // Relative to an end; `turned` if the outer side is then on the right.
         let meets = |u: i64, du: i64, from: Offset, turned: bool| {
             let cross = || {
                 let cross = from.cross(d);
