@@ -5,7 +5,7 @@ use super::{Body, MoveError, Mover, Support, Walked, Walker};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
-use crate::world::{Solids, World};
+use crate::world::World;
 
 /// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
 /// rides on [`Solid`](crate::Solid)s, or on solids of
@@ -36,7 +36,7 @@ use crate::world::{Solids, World};
 /// [`Solid::move_all`](crate::Solid::move_all), [`Joined`](crate::Joined).
 #[doc(alias("CharacterBody2D", "player", "enemy", "knockback", "dash", "spring"))]
 #[doc(alias = "KinematicCharacterController")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Character<B = Aabb> {
     /// Units per frame. Change it to throw the character: a spring or a stomp sets `velocity.y`, a
     /// ladder does in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step) adds
@@ -199,30 +199,6 @@ impl<B: Body> Character<B> {
         &self.body
     }
 
-    /// The floor that it stands on.
-    #[must_use]
-    pub const fn floor(&self) -> Option<Support> {
-        self.floor
-    }
-
-    /// Whether it stands on a floor.
-    #[doc(alias = "is_on_floor")]
-    #[doc(alias = "grounded")]
-    #[must_use]
-    pub const fn on_floor(&self) -> bool {
-        self.floor.is_some()
-    }
-
-    /// The key of the solid that it stands on. `None` across a solid and other floor of one height,
-    /// though the solid may carry it all the same.
-    #[must_use]
-    pub const fn ridden(&self) -> Option<u16> {
-        match self.floor {
-            Some(floor) => Solids::key_of(floor.cell),
-            None => None,
-        }
-    }
-
     /// Moves the character for one frame in a level without moving solids.
     ///
     /// Cost: that of [`Walker::walk`].
@@ -383,9 +359,7 @@ impl<B: Body> Character<B> {
         let (base, full) = (kept(self.base), now + kept(plan.made));
         (self.base, self.velocity) = match walked.floor {
             None => (base, full),
-            Some(floor) if stood || Solids::key_of(floor.cell).is_some() => {
-                (Vec2::ZERO, Vec2::new(full.x - base.x, now.y))
-            }
+            Some(floor) if stood || floor.solid().is_some() => (Vec2::ZERO, Vec2::new(full.x - base.x, now.y)),
             Some(_) => (Vec2::ZERO, Vec2::new(full.x, now.y)),
         };
         if walked.met_floor {

@@ -42,7 +42,7 @@ pub enum SlopeSpeed {
 /// walker stops there, and slides down a steep slope that it falls on.
 ///
 /// Plain data: a copy is a snapshot.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[doc(alias("character controller", "ground snapping"))]
 pub struct Walker {
     pub(crate) mover: Mover,
@@ -52,7 +52,8 @@ pub struct Walker {
 }
 
 /// Where a walker ended up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[must_use = "the body moves only if you keep `Walked::moved`"]
 pub struct Walked<B> {
     /// The motion. On a floor its velocity is level (across "up"): the speed for the next frame. In
     /// the air it is the velocity at which it left the ground, less the part that hits took.
