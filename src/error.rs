@@ -1,4 +1,14 @@
 //! The errors that several modules share: small values that say what and where.
+//!
+//! An error that wraps another one prints it as a part of its own message, because a chip logs one
+//! line. So [`source`](core::error::Error::source) is `None` everywhere, and a report that prints
+//! the chain of causes repeats nothing. Match the variant to get the inner error.
+//!
+//! Enums of errors and of a scene's events are `non_exhaustive`: a later version may refuse more,
+//! or report more. Enums that a game acts on are complete: [`Outcome`](crate::Outcome),
+//! [`Ride`](crate::motion::Ride), [`PairEvent`](crate::broad::PairEvent),
+//! [`PairsError`](crate::broad::PairsError). If one of them grows, the compiler shows you each
+//! place that must handle the new case.
 
 use crate::num::Fx;
 use core::fmt;

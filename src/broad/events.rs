@@ -8,48 +8,44 @@ use crate::error::Truncated;
 /// would call a memory routine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(align(4))]
-pub(in crate::broad) struct EventEntry<K, V>(pub(in crate::broad) Option<(K, V)>);
+pub(in crate::broad) struct Listed<K, V>(pub(in crate::broad) Option<(K, V)>);
 
 /// The index of a key, or of the first entry that is not below it.
 #[inline]
-pub(in crate::broad) fn place<K: Ord, V>(entries: &[EventEntry<K, V>], key: &K) -> usize {
-    entries.partition_point(|entry| matches!(entry, EventEntry(Some((k, _))) if k < key))
+pub(in crate::broad) fn place<K: Ord, V>(entries: &[Listed<K, V>], key: &K) -> usize {
+    entries.partition_point(|entry| matches!(entry, Listed(Some((k, _))) if k < key))
 }
 
 /// The value under a key that was searched for.
 #[inline]
-pub(in crate::broad) fn known<'a, K: Eq, V>(
-    entries: &'a mut [EventEntry<K, V>],
-    at: usize,
-    key: &K,
-) -> Option<&'a mut V> {
+pub(in crate::broad) fn known<'a, K: Eq, V>(entries: &'a mut [Listed<K, V>], at: usize, key: &K) -> Option<&'a mut V> {
     match entries.get_mut(at) {
-        Some(EventEntry(Some((k, value)))) if k == key => Some(value),
+        Some(Listed(Some((k, value)))) if k == key => Some(value),
         _ => None,
     }
 }
 
 /// How many entries there are.
 #[inline]
-pub(in crate::broad) fn count<K, V>(entries: &[EventEntry<K, V>]) -> usize {
+pub(in crate::broad) fn count<K, V>(entries: &[Listed<K, V>]) -> usize {
     entries.partition_point(|entry| entry.0.is_some())
 }
 
 /// Inserts an entry before those of a part of the array and moves them up by one. The last of the
 /// part is dropped.
-pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [EventEntry<K, V>], key: K, value: V) {
+pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [Listed<K, V>], key: K, value: V) {
     let mut places = part.iter_mut().rev();
     let Some(mut to) = places.next() else { return };
     for from in places {
         *to = *from;
         to = from;
     }
-    *to = EventEntry(Some((key, value)));
+    *to = Listed(Some((key, value)));
 }
 
 /// Keeps the entries for which `keep` returns true, in one pass. `keep` may change the values.
 pub(in crate::broad) fn retain<K: Copy, V: Copy>(
-    entries: &mut [EventEntry<K, V>],
+    entries: &mut [Listed<K, V>],
     mut keep: impl FnMut(&K, &mut V) -> bool,
 ) {
     let mut kept = 0;
@@ -57,7 +53,7 @@ pub(in crate::broad) fn retain<K: Copy, V: Copy>(
         let Some((key, mut value)) = entries.get_mut(i).and_then(|entry| entry.0.take()) else { break };
         if keep(&key, &mut value) {
             if let Some(slot) = entries.get_mut(kept) {
-                *slot = EventEntry(Some((key, value)));
+                *slot = Listed(Some((key, value)));
             }
             kept += 1;
         }
@@ -155,7 +151,7 @@ pub(super) enum Mark {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("on_collision_enter", "body_entered", "beginContact"))]
 pub struct PairEvents<const M: usize, P = Pair> {
-    pub(super) entries: [EventEntry<P, Mark>; M],
+    pub(super) entries: [Listed<P, Mark>; M],
     pub(super) frame: FrameState,
 }
 
@@ -179,7 +175,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [EventEntry(None); M], frame: FrameState { fed: 0, lost: false, begun: false } }
+        Self { entries: [Listed(None); M], frame: FrameState { fed: 0, lost: false, begun: false } }
     }
 
     /// Reports that a pair is there in the current frame.
@@ -204,7 +200,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// The state of each pair in the frame that ended last, in ascending order of pairs. Empty once
     /// you have fed the next frame.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
-        let listed: &[EventEntry<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
+        let listed: &[Listed<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
         listed.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
             Mark::New => PairEvent::Begin(pair),
             Mark::Old => PairEvent::End(pair),
@@ -230,7 +226,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     #[must_use]
     pub fn contains(&self, pair: P) -> bool {
         let at = self.entries.get(place(&self.entries, &pair));
-        matches!(at, Some(EventEntry(Some((known, mark)))) if *known == pair && self.was_there(*mark))
+        matches!(at, Some(Listed(Some((known, mark)))) if *known == pair && self.was_there(*mark))
     }
 
     fn was_there(&self, mark: Mark) -> bool {
@@ -239,7 +235,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
 }
 
 /// Begins the next frame, unless it has begun, and drops the pairs that ended.
-fn begin<P: Copy>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameState) {
+fn begin<P: Copy>(entries: &mut [Listed<P, Mark>], frame: &mut FrameState) {
     if !frame.begun {
         retain(entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::Old);
         *frame = FrameState { fed: 0, lost: false, begun: true };
@@ -248,7 +244,7 @@ fn begin<P: Copy>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameState) {
 
 // Not inlined, because one copy without the capacity as a constant serves all lists.
 #[inline(never)]
-fn feed<P: Copy + Ord>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameState, pair: &P) {
+fn feed<P: Copy + Ord>(entries: &mut [Listed<P, Mark>], frame: &mut FrameState, pair: &P) {
     begin(entries, frame);
     frame.fed = frame.fed.saturating_add(1);
     let at = place(entries, pair);
@@ -263,7 +259,7 @@ fn feed<P: Copy + Ord>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameSta
         // The greatest new pair is dropped, or this pair is. Reported pairs never are. So the new
         // pairs that stay are the smallest of all, whatever their order.
         frame.lost = true;
-        let Some(last) = entries.iter().rposition(|entry| matches!(entry, EventEntry(Some((_, Mark::New))))) else {
+        let Some(last) = entries.iter().rposition(|entry| matches!(entry, Listed(Some((_, Mark::New))))) else {
             return;
         };
         end = last;
@@ -274,7 +270,7 @@ fn feed<P: Copy + Ord>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameSta
 }
 
 fn finish<P: Copy>(
-    entries: &mut [EventEntry<P, Mark>],
+    entries: &mut [Listed<P, Mark>],
     frame: &mut FrameState,
     mut held: impl FnMut(&P) -> bool,
 ) -> Result<(), Truncated> {
@@ -337,7 +333,7 @@ pub enum Ignore {
 #[doc(alias("ignoreCollision", "add_collision_exception_with"))]
 pub struct Exceptions<const M: usize> {
     /// The entries, by the handles in ascending order.
-    pub(super) entries: [EventEntry<Pair, Term>; M],
+    pub(super) entries: [Listed<Pair, Term>; M],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -364,7 +360,7 @@ impl<const M: usize> Exceptions<M> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [EventEntry(None); M] }
+        Self { entries: [Listed(None); M] }
     }
 
     /// Ignores a pair from now on, and replaces any earlier rule for it.
@@ -412,7 +408,7 @@ impl<const M: usize> Exceptions<M> {
     }
 }
 
-fn passes(entries: &mut [EventEntry<Pair, Term>], pair: Pair) -> bool {
+fn passes(entries: &mut [Listed<Pair, Term>], pair: Pair) -> bool {
     let pair = sorted(pair.a, pair.b);
     match known(entries, place(entries, &pair), &pair) {
         Some(term) => {
@@ -423,7 +419,7 @@ fn passes(entries: &mut [EventEntry<Pair, Term>], pair: Pair) -> bool {
     }
 }
 
-fn put(entries: &mut [EventEntry<Pair, Term>], pair: Pair, term: Term) -> Result<(), BroadError> {
+fn put(entries: &mut [Listed<Pair, Term>], pair: Pair, term: Term) -> Result<(), BroadError> {
     let at = place(entries, &pair);
     if let Some(known) = known(entries, at, &pair) {
         *known = term;
@@ -438,7 +434,7 @@ fn put(entries: &mut [EventEntry<Pair, Term>], pair: Pair, term: Term) -> Result
 }
 
 fn expire(
-    entries: &mut [EventEntry<Pair, Term>],
+    entries: &mut [Listed<Pair, Term>],
     mut present: impl FnMut(Handle) -> bool,
     mut held: impl FnMut(&Pair) -> bool,
 ) {

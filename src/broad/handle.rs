@@ -315,6 +315,7 @@ impl core::error::Error for PairsError {}
 /// Why a query has no answer, or an incomplete one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum QueryError {
     /// An argument is out of range. The buffer is empty.
     Range(RangeError),

@@ -13,7 +13,7 @@ use crate::world::{
 };
 
 /// The hit of a body that was cast through a level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BodyHit<B> {
     /// The hit, its time and its normal. If the body starts inside, the time is 0, the axis is that
     /// of [`CastHit::inside`], and the other fields have no meaning.

@@ -5,7 +5,7 @@ use super::{Body, MoveError, Mover, Support, Walked, Walker};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
-use crate::world::{Solids, World};
+use crate::world::World;
 
 /// The hero of a platformer. It runs, jumps, walks on slopes and steps, drops through platforms and
 /// rides on [`Solid`](crate::Solid)s, or on solids of [any convex
@@ -36,7 +36,7 @@ use crate::world::{Solids, World};
 /// [`Solid::move_all`](crate::Solid::move_all), [`Joined`](crate::Joined).
 #[doc(alias("CharacterBody2D", "player", "enemy", "knockback", "dash", "spring"))]
 #[doc(alias = "KinematicCharacterController")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Character<B = Aabb> {
     /// The velocity, in units per frame. You may change it: a spring or a stomp sets `velocity.y`
     /// once, a ladder in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step)
@@ -199,30 +199,6 @@ impl<B: Body> Character<B> {
         &self.body
     }
 
-    /// The floor that it stands on.
-    #[must_use]
-    pub const fn floor(&self) -> Option<Support> {
-        self.floor
-    }
-
-    /// Whether it stands on a floor.
-    #[doc(alias = "is_on_floor")]
-    #[doc(alias = "grounded")]
-    #[must_use]
-    pub const fn on_floor(&self) -> bool {
-        self.floor.is_some()
-    }
-
-    /// The key of the solid that it stands on. `None` if the character stands on a solid and on
-    /// other floor at the same height. The solid may still carry it.
-    #[must_use]
-    pub const fn ridden(&self) -> Option<u16> {
-        match self.floor {
-            Some(floor) => Solids::key_of(floor.cell),
-            None => None,
-        }
-    }
-
     /// Moves the character for one frame in a level without moving solids.
     ///
     /// Cost: one [`Walker::walk`].
@@ -382,9 +358,7 @@ impl<B: Body> Character<B> {
         let (base, full) = (kept(self.base), now + kept(plan.made));
         (self.base, self.velocity) = match walked.floor {
             None => (base, full),
-            Some(floor) if stood || Solids::key_of(floor.cell).is_some() => {
-                (Vec2::ZERO, Vec2::new(full.x - base.x, now.y))
-            }
+            Some(floor) if stood || floor.solid().is_some() => (Vec2::ZERO, Vec2::new(full.x - base.x, now.y)),
             Some(_) => (Vec2::ZERO, Vec2::new(full.x, now.y)),
         };
         if walked.met_floor {

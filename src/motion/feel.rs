@@ -24,6 +24,20 @@ pub struct Input {
     pub drop: bool,
 }
 
+impl Input {
+    /// To run at a speed, without a jump or a drop; 0 to stand. `Input::default()` is that.
+    ///
+    /// ```
+    /// use tilesat::{Fx, Input, fx};
+    /// assert_eq!(Input::running(fx!(1.5)), Input { run: fx!(1.5), jump: false, drop: false });
+    /// assert_eq!(Input::running(Fx::ZERO), Input::default());
+    /// ```
+    #[must_use]
+    pub const fn running(speed: Fx) -> Self {
+        Self { run: speed, jump: false, drop: false }
+    }
+}
+
 /// How a [`Character`](crate::Character) uses the motion of a [`Solid`](crate::Solid) that it
 /// leaves, by a jump or over its edge.
 ///
@@ -180,7 +194,7 @@ pub enum Outcome {
 }
 
 /// What happened to a character in one frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[must_use = "the outcome says whether the character lives"]
 // Words come first, as in a `Hit`.
 #[repr(C)]

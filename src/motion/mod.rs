@@ -159,6 +159,7 @@ mod run;
 mod search;
 mod slide;
 mod solids;
+mod stance;
 #[cfg(feature = "serde")]
 mod stored;
 mod sweep_body;

@@ -9,8 +9,9 @@ use core::iter::{Chain, Flatten};
 use core::slice::Iter;
 
 /// The result of a motion: the new position, the new velocity and the hits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("KinematicCollision2D", "cols"))]
+#[must_use = "the body moves only if you keep `Moved::body`"]
 pub struct Moved<B> {
     /// The body at its new position. It does not overlap the level.
     pub body: B,
@@ -109,6 +110,7 @@ pub struct Stuck {
 /// Why a motion was refused. The body stays as it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum MoveError {
     /// The velocity or the body is too large, the motion visits too many cells, or it would leave
     /// the domain.
@@ -144,7 +146,7 @@ impl fmt::Display for MoveError {
 impl core::error::Error for MoveError {}
 
 /// One hit of a moving body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 // The flag that distinguishes `None` from `Some` is behind the words. In front of them, the
 // following fields would begin at an odd address: 8834 instructions for a hero's frame on a
 // Cortex-M0, not 5658.
@@ -157,7 +159,8 @@ pub struct Hit {
     pub toi: Toi,
     /// The exact normal of the surface: out of the solid, toward the body.
     pub axis: Axis,
-    /// The cell of the level that was hit.
+    /// The cell of the level that was hit. For a moving solid it holds the key: see
+    /// [`solid`](Self::solid).
     pub cell: Cell,
     /// Which feature of the cell, as [`Feature::index`](crate::world::Feature::index).
     pub index: u16,
@@ -196,6 +199,16 @@ impl Hit {
         self.axis.approach(velocity)
     }
 
+    /// The key of the moving solid that was hit: a [`Solid`](crate::Solid) or a
+    /// [`ConvexSolid`](crate::world::ConvexSolid). `None` for a tile or a segment.
+    ///
+    /// In a [joined](crate::Joined) level, [`source`](Self::source) distinguishes two lists.
+    /// [`Mover::with_answers`](crate::Mover::with_answers) has an example.
+    #[must_use]
+    pub const fn solid(&self) -> Option<u16> {
+        self.cell.solid()
+    }
+
     pub(super) const fn of(axis: Axis, feature: &Feature, toi: Toi) -> Self {
         let Feature { cell, index, flags, one_way, source, .. } = *feature;
         Self { toi, axis, cell, index, flags, one_way, source }
@@ -205,7 +218,7 @@ impl Hit {
 /// The hits of one motion in the order in which they happened, at most [`Hits::CAPACITY`].
 ///
 /// Plain data: a copy is a snapshot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Hits {
     /// In halves: 48 bytes are made and copied inline, but 96 bytes by a library routine.
     early: [Option<Hit>; 2],

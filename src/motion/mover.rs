@@ -26,7 +26,7 @@ use crate::world::{Feature, World};
 /// assert!(moved.floor && !moved.wall);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("KinematicBody", "kinematic"))]
 pub struct Mover<S = Smooth> {
@@ -104,7 +104,7 @@ impl<S: Law> Mover<S> {
     }
 
     /// Sets a function that returns the response to each hit. It may use the flags of a tile, the
-    /// [key](crate::Solids::key_of) of a solid, the normal, and whether the face is one-way. `None`
+    /// [key](Hit::solid) of a solid, the normal, and whether the face is one-way. `None`
     /// means the mover's own response. A mover without such a function links no code for it.
     ///
     /// It must be a pure function of the hit. To learn what a body passed, see
@@ -115,7 +115,7 @@ impl<S: Law> Mover<S> {
     /// use tilesat::{Aabb, Axis, Joined, Mover, Response, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// fn answer(hit: &Hit) -> Option<Response> {
-    ///     let trampoline = Solids::key_of(hit.cell) == Some(7);
+    ///     let trampoline = hit.solid() == Some(7);
     ///     if trampoline { Some(Response::Bounce) } else { (hit.axis.y > 0).then_some(Response::Touch) }
     /// }
     /// const MOVER: Mover<ByHit<fn(&Hit) -> Option<Response>>> = Mover::platformer(Axis::NEG_Y).with_answers(answer);

@@ -16,7 +16,7 @@ pub(super) enum SurfaceRole {
 }
 
 /// The steepest floor, and ceiling: it rises by `rise` over `run`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct SlopeLimit {

@@ -52,6 +52,22 @@ impl Axis {
         Self { x, y }
     }
 
+    /// The direction of a vector, exact; as `Axis::from`, usable in constants.
+    ///
+    /// The zero vector gives the zero axis, and a component of `Fx::MIN` one without an opposite.
+    ///
+    /// ```
+    /// use tilesat::{Axis, Vec2, fx};
+    /// let aim = Axis::of(Vec2::from_ints(45, 19) - Vec2::from_ints(75, 59));
+    /// assert_eq!(aim, Axis::new(-30 << 16, -40 << 16));
+    /// assert!(aim.perp_dot(Axis::X) > 0);
+    /// ```
+    #[must_use]
+    pub const fn of(v: Vec2) -> Self {
+        let (x, y) = v.raw();
+        Self::new(x, y)
+    }
+
     /// The dot product. Exact, unless all four components are `i32::MIN`.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
@@ -86,8 +102,7 @@ impl Axis {
     /// The dot product with a vector, in units of this axis' scale times raw.
     #[must_use]
     pub const fn dot_vec(self, v: Vec2) -> i64 {
-        let (x, y) = v.raw();
-        self.dot(Self::new(x, y))
+        self.dot(Self::of(v))
     }
 
     /// How fast a velocity points against this direction: the speed at which a body hits a surface
@@ -179,6 +194,13 @@ const fn times(a: i32, b: i32) -> i64 {
         1 => b as i64,
         -1 => (b as i64).wrapping_neg(),
         _ => imul(a, b),
+    }
+}
+
+/// The direction of a vector, exact: [`Axis::of`].
+impl From<Vec2> for Axis {
+    fn from(v: Vec2) -> Self {
+        Self::of(v)
     }
 }
 

@@ -16,6 +16,8 @@
 //! another fixed-point format by their bits: [`Vec2::from_raw`].
 
 mod direction;
+mod domain;
+mod geometry;
 mod inverse_root;
 mod part;
 mod quotient;
@@ -30,6 +32,8 @@ mod wide;
 
 pub use direction::{Axis, UnitVec2};
 pub(crate) use direction::{on_circle, scaled, toward, unit_by, unit_ceil};
+pub use domain::{DOMAIN, MOTION};
+pub(crate) use domain::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use inverse_root::InverseRoot;
 pub use inverse_root::div_sqrt;
 pub(crate) use part::fraction;
@@ -37,8 +41,7 @@ pub use part::{Ratio, Toi};
 pub use quotient::{isqrt64, isqrt64_ceil, mul_div, mul_div_wide, recip, rsqrt};
 pub(crate) use quotient::{leading_zeros32, leading_zeros64, root128_down, root128_up};
 pub(crate) use raw::Raw;
-pub use vec2::{DOMAIN, MOTION, Vec2};
-pub(crate) use vec2::{check_coordinate, check_length, check_motion, check_radius};
+pub use vec2::Vec2;
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, sqr_signed, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 

@@ -19,6 +19,7 @@ pub struct SceneError {
 /// The reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum SceneFault {
     /// The broad phase does not know the body, or has no room or cell for it.
     Broad(BroadError),

@@ -18,6 +18,7 @@ const INDEX: usize = MOST - 1;
 /// Why a polygon could not be cut into convex parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum PartsError {
     /// There are fewer than three corners.
     TooFew {

@@ -16,8 +16,7 @@ use crate::num::umul;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cell {
     /// Column. -1 and the map's width stand for everything left and right of the map. For a
-    /// [solid](super::Solids) it is the key, in a row that no map has: see
-    /// [`Solids::key_of`](super::Solids::key_of).
+    /// [solid](super::Solids) it holds the key: see [`Solids::key_of`](super::Solids::key_of).
     pub x: i16,
     /// Row; -1 and the map's height stand for everything beyond the first and the last row.
     pub y: i16,
@@ -29,6 +28,18 @@ impl Cell {
     pub const fn new(x: i16, y: i16) -> Self {
         Self { x, y }
     }
+
+    /// The cell that stands for a solid: its key in a row that no grid has, as theirs begin at -1.
+    pub(crate) const fn of_solid(key: u16) -> Self {
+        Self::new(key as i16, Self::SOLIDS)
+    }
+
+    /// The key of a solid.
+    pub(crate) const fn solid(self) -> Option<u16> {
+        if self.y == Self::SOLIDS { Some(self.x as u16) } else { None }
+    }
+
+    const SOLIDS: i16 = i16::MIN;
 
     /// For indices clamped to -1..=32767.
     pub(crate) const fn of(x: i32, y: i32) -> Self {

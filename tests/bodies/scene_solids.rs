@@ -315,7 +315,7 @@ fn bullets_hit_moving_walls() {
             scene
                 .step(&Joined::new(&level, &joined), Vec2::ZERO, |event| match event {
                     SceneEvent::Level { hits: met, .. } => {
-                        assert!(met.iter().all(|hit| matches!(Solids::key_of(hit.cell), Some(1..=4))));
+                        assert!(met.iter().all(|hit| matches!(hit.solid(), Some(1..=4))));
                         hits += 1;
                     }
                     SceneEvent::Held(e) => panic!("{e:?}"),

@@ -173,7 +173,7 @@ impl<B: BroadPhase<Tag = SceneTag>, S: BodyShape + Into<WithCapsules>> Played<B,
                     named.extend([key(pair.a), key(pair.b)]);
                 }
                 SceneEvent::Level { body, .. } => named.push(key(body)),
-                SceneEvent::Held(error) => panic!("held: {error}"),
+                other => panic!("{other:?}"),
             })
             .unwrap();
         if lift != Vec2::ZERO {

@@ -235,6 +235,7 @@ pub struct Link {
 /// corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum RelaxError {
     /// The link of this index names a missing point, or one point twice.
     NoPoint {

@@ -54,8 +54,9 @@ pub enum Ride {
 }
 
 /// Where the solids' motions of one tick take a body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[must_use = "the body moves only if you keep `Ridden::body`"]
 pub struct Ridden<B> {
     /// The body at its new position. It does not overlap the level. Unless it is squashed, it does
     /// not overlap any solid at its new position either.

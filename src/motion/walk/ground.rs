@@ -16,7 +16,7 @@ use crate::world::{Cell, Feature, World};
 ///
 /// Plain data. If a body stands on several tiles at the same height, their flags are or-ed, and the
 /// cell is that of one of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 // As a `Hit`.
@@ -24,7 +24,7 @@ use crate::world::{Cell, Feature, World};
 pub struct Support {
     /// The exact normal of the floor.
     pub axis: Axis,
-    /// The cell of the level.
+    /// The cell of the level. Of a moving solid it holds the key: see [`solid`](Self::solid).
     pub cell: Cell,
     /// Which feature of the cell, as [`Feature::index`].
     pub index: u16,
@@ -37,6 +37,23 @@ pub struct Support {
 }
 
 impl Support {
+    /// The key of the moving solid that the body stands on. `None` for a tile or a segment.
+    ///
+    /// In a [joined](crate::Joined) level, [`source`](Self::source) distinguishes two lists.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Mover, Solid, Solids, Vec2};
+    /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+    /// let lift = [Solid::new(boxed(0, 24, 48, 4)?, 7)?];
+    /// let floor = Mover::platformer(Axis::NEG_Y).supported(&Solids::new(&lift), &boxed(20, 10, 10, 14)?)?;
+    /// assert_eq!(floor.map(|floor| floor.solid()), Some(Some(7)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    #[must_use]
+    pub const fn solid(&self) -> Option<u16> {
+        self.cell.solid()
+    }
+
     pub(super) fn of(axis: Axis, f: &Feature) -> Self {
         Self { axis, cell: f.cell, index: f.index, flags: f.flags, one_way: f.one_way, source: f.source }
     }

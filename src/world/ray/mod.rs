@@ -63,7 +63,7 @@ pub struct RayHit {
     pub axis: Axis,
     /// The cell to which the piece belongs. If the border of a map of blocks is repeated
     /// ([`Outside::Edge`](crate::world::Outside::Edge)), it is the border cell. For a
-    /// [solid](crate::world::Solids) it holds the key.
+    /// [solid](crate::world::Solids) it holds the key: see [`solid`](Self::solid).
     pub cell: Cell,
     /// The piece of that cell, as [`Feature::index`](crate::world::Feature::index); 0 for a start
     /// inside.
@@ -80,6 +80,30 @@ pub struct RayHit {
     /// [`Solids`](crate::world::Solids) and [`ConvexSolids`](crate::world::ConvexSolids), the
     /// number of solids examined.
     pub cells: u32,
+}
+
+impl RayHit {
+    /// The key of the moving solid that was hit: a [`Solid`](crate::Solid) or a
+    /// [`ConvexSolid`](crate::world::ConvexSolid). `None` for a tile or a segment.
+    ///
+    /// In a [joined](crate::Joined) level, [`source`](Self::source) distinguishes two lists.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("   \n###", &KINDS)?;
+    /// let lift = [Solid::new(Aabb::new(Vec2::from_ints(16, 8), Vec2::from_ints(32, 12))?, 7)?];
+    /// let solids = Solids::new(&lift);
+    /// let level = Joined::new(&level, &solids);
+    /// let below = |x| level.cast_ray(Vec2::from_ints(x, 0), Vec2::from_ints(0, 20), Inside::Hit);
+    /// assert_eq!(below(20)?.map(|hit| hit.solid()), Some(Some(7)));
+    /// assert_eq!(below(8)?.map(|hit| hit.solid()), Some(None)); // the floor
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn solid(&self) -> Option<u16> {
+        self.cell.solid()
+    }
 }
 
 /// The start and the motion of a ray, if both ends are in the domain.

@@ -1,7 +1,6 @@
 //! One convex solid: its shape, and its motion or turn in this frame.
 
 use super::features::SolidBorder;
-use super::solid::Solid;
 use crate::error::{Quantity, RangeError};
 use crate::num::{MOTION, Raw, Vec2, check_motion, usqr};
 use crate::query::Core;
@@ -420,7 +419,7 @@ impl<S: SolidShape> ConvexSolid<S> {
 
     /// The cell of its features, which holds the key.
     pub(super) const fn cell(&self) -> Cell {
-        Cell::new(self.key as i16, Solid::ROW)
+        Cell::of_solid(self.key)
     }
 
     /// The border with these corners: its own, or those after this frame.

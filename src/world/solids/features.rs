@@ -205,12 +205,10 @@ impl Solid {
         }
     }
 
-    /// The cell that stands for the box: its key in a row that no grid has, as theirs begin at -1.
+    /// The cell of its features, which holds the key.
     pub(super) const fn cell(&self) -> Cell {
-        Cell::new(self.key() as i16, Self::ROW)
+        Cell::of_solid(self.key())
     }
-
-    pub(super) const ROW: i16 = i16::MIN;
 
     /// The pieces of the box alone, as bits: a one-way platform has one face, as a one-way tile.
     pub(crate) const fn pieces(&self) -> u8 {

@@ -93,24 +93,22 @@ impl<'a> Solids<'a> {
     /// The key of a solid, from the cell of a feature, a contact, a floor or a hit. `None` for the
     /// cell of a tile or a segment.
     ///
-    /// You can pass it any hit of a [joined](crate::Joined) level. The
-    /// [`source`](crate::world::Feature::source) distinguishes the keys of two joined lists.
+    /// Hits and floors answer it themselves: [`Hit::solid`](crate::Hit::solid),
+    /// [`Support::solid`](crate::Support::solid), [`RayHit::solid`](crate::RayHit::solid). The
+    /// [`source`](crate::world::Feature::source) distinguishes the keys of two
+    /// [joined](crate::Joined) lists.
     ///
     /// ```
-    /// use tilesat::{Aabb, Cell, Fx, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let level = TileMap::from_ascii("   \n###", &KINDS)?;
-    /// let lift = [Solid::new(Aabb::new(Vec2::from_ints(16, 8), Vec2::from_ints(32, 12))?, 7)?];
-    /// let solids = Solids::new(&lift);
-    /// let level = Joined::new(&level, &solids);
-    /// let below = |x| level.cast_ray(Vec2::from_ints(x, 0), Vec2::from_ints(0, 20), Inside::Hit);
-    /// assert_eq!(below(20)?.map(|hit| Solids::key_of(hit.cell)), Some(Some(7)));
-    /// assert_eq!(below(8)?.map(|hit| Solids::key_of(hit.cell)), Some(None)); // the floor
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// use tilesat::{Aabb, Cell, Solid, Solids, Vec2};
+    /// let region = Aabb::new(Vec2::from_ints(16, 8), Vec2::from_ints(32, 12))?;
+    /// let lift = [Solid::new(region, 7)?];
+    /// assert!(Solids::new(&lift).features(&region).all(|feature| Solids::key_of(feature.cell) == Some(7)));
+    /// assert_eq!(Solids::key_of(Cell::new(7, 0)), None); // the cell of a tile
+    /// # Ok::<(), tilesat::RangeError>(())
     /// ```
     #[must_use]
     pub const fn key_of(cell: Cell) -> Option<u16> {
-        if cell.y == Solid::ROW { Some(cell.x as u16) } else { None }
+        cell.solid()
     }
 
     /// The faces and corners of the solids' union that have a point in the closed region, and
