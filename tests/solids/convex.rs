@@ -89,7 +89,7 @@ fn boxes_are_boxes() {
             let two = MOVER.ride_convex(&level, &convex, &body, follow).unwrap();
             let case = format!("{body:?}\n{list:?}\n{one:?}\n{two:?}");
             let inside = list.iter().any(|s| s.shape().overlaps(&body));
-            // Of several solids that squash a body either may be named.
+            // If several solids squash a body, either may be named.
             let ride = |r: &Ridden<Aabb>| match r.ride {
                 Ride::Squashed { .. } => None,
                 ride => Some(ride),

@@ -263,8 +263,8 @@ pub fn place_of_last(response: Response, out: &Outcome) -> Option<(Body, Hit)> {
 /// is rounded by 2 raw on each axis, `2 sqrt 2 < 3`.
 fn makes_its_way(level: &Level, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let (Some((at, last)), Body::Disc { r, .. }) = (place_of_last(response, out), out.body) else { return Ok(()) };
-    // Of a face any point of its line, of a corner the corner: both lie to the side that the normal
-    // points to.
+    // For a face any point of its line, for a corner the corner: both lie to the side to which the
+    // normal points.
     let (p, n) = (corner(level, &last), axis(&last));
     let m = from_corner(&at, p);
     let distance = if last.index < 4 { dot(m, n) } else { len2(m).isqrt() };
