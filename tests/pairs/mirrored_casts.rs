@@ -1,4 +1,4 @@
-//! Mirrored, exchanged and moved casts are the same, with one exception: where two sides or corners
+//! Mirrored, exchanged and moved casts are equal, with one exception. If two sides or corners
 //! mirror each other at a motion along x or y, the hit is on the one that faces its left.
 
 use super::symmetry::{MAPS, Map};
