@@ -18,8 +18,8 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 // A word, because in a `Result` an error shares the memory of the answer. A byte in it would split
-// the copies of the answer at an odd address, and a Cortex-M0 then copies byte by byte: 17 % of a
-// hero's frame.
+// the copies of the answer at an odd address. A Cortex-M0 then copies byte by byte, which takes 17
+// % of a hero's frame.
 #[repr(u32)]
 pub enum Quantity {
     /// A horizontal coordinate.

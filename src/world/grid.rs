@@ -242,8 +242,8 @@ impl Grid {
 
     /// `d / cell` for `d < 2^30`.
     ///
-    /// Granlund and Montgomery: with `l = log + 1` and `2^(30 + l) <= m cell < 2^(30 + l) + cell`,
-    /// `m d / 2^(30 + l)` exceeds `d / cell` by less than `d / 2^(30 + l) <= 1 / cell`, which
+    /// Granlund and Montgomery: let `l = log + 1` and `2^(30 + l) <= m cell < 2^(30 + l) + cell`.
+    /// Then `m d / 2^(30 + l)` exceeds `d / cell` by less than `d / 2^(30 + l) <= 1 / cell`, which
     /// cannot reach the next multiple. `m <= 2^31`, as `cell > 2^(l - 1)`.
     #[inline]
     pub(super) const fn quotient(&self, d: u32) -> u32 {

@@ -61,8 +61,8 @@ impl<'a, W: World> Placed<'a, W> {
     ///
     /// # Errors
     /// [`RangeError`] if a component of the offset is not below [`MOTION`] (4096 units):
-    /// coordinates relative to the level stay below 2^29 + 2^28, and differences below 2^31 with
-    /// products below 2^62, which all kernels accept.
+    /// coordinates relative to the level stay below 2^29 + 2^28. Their differences stay below 2^31,
+    /// with products below 2^62, which all kernels accept.
     pub const fn new(world: &'a W, offset: Vec2) -> Result<Self, RangeError> {
         match check_motion(offset, MOTION) {
             Ok(()) => Ok(Self { world, offset: Raw::of(offset) }),

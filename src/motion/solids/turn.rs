@@ -61,9 +61,10 @@ impl<'a, S: SolidShape> Turn<'a, S> {
     /// of the separation between the two.
     ///
     /// That is a face of the solid, which moves with its corners, or a direction in which a corner
-    /// of the solid is first: along x or y, into a side of the body, or between the points that are
-    /// nearest to each other. Before the turn the last one or a face leaves most room, so there
-    /// always is a separation. None counts if another one is still between them at the end.
+    /// of the solid is first. Such a direction is along x or y, into a side of the body, or between
+    /// the points that are nearest to each other. Before the turn the last one or a face leaves
+    /// most room, so there always is a separation. None counts if another one is still between them
+    /// at the end.
     pub(super) fn held<B: Body>(&self, body: &B, d: Raw) -> Option<(Feature, HalfPlane, Press)> {
         let (p, q) = self.cores();
         let mut best: Option<TurnFront> = None;

@@ -1,6 +1,6 @@
-//! Bodies with sides in any direction against polygons, exactly. What a convex body sweeps is the
-//! hull of its corners at the start and at the end: it overlaps on the way iff the inside of that,
-//! grown by the radius, meets an edge of the solid.
+//! Bodies with sides in any direction against polygons, exactly. A convex body sweeps the hull of
+//! its corners at the start and at the end. It overlaps during the motion iff the inside of that
+//! hull, grown by the radius, meets an edge of the solid.
 
 use super::super::body::Entry;
 use super::polygons::{Big, SOLIDS, Wide, across, any_polygon, contains, near, side, target, zero};

@@ -198,8 +198,8 @@ impl<B: Body> Look for Run<'_, B> {
         let mut ways = Ways::none();
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
         ways.settle_all(world, &self.moved.body, passes);
-        // A way that ends before it leads down by a raw unit leads nowhere: between a corner and a
-        // slope over it, a ball may have room to the side alone.
+        // A way that ends before it leads down by a raw unit leads nowhere. Between a corner and a
+        // slope over it, a ball may have room to the side only.
         let mut leads = |d| self.look(world, d).is_none_or(|ground| into(ground.drop(), up) < 0);
         if ways.iter().any(|way| way.is_free() && (way.along.is_none() || leads(way.probe()))) {
             return None;

@@ -195,9 +195,9 @@ pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<BoxGate> {
 
 /// [`gate`] without a call.
 ///
-/// The rounded box lies in the box grown by r. Where a motion comes into that beside a side of the
-/// box itself, it has met the rounded box; else it is in the square of radius r beside one corner,
-/// and leaves it through the corner's disc, or leaves the grown box: one disc is enough. The same
+/// The rounded box lies in the box grown by r. If a motion enters that beside a side of the box
+/// itself, it has met the rounded box. Else it is in the square of radius r beside one corner, and
+/// leaves it through the corner's disc, or leaves the grown box. So one disc is enough. The same
 /// holds for a start in the grown box.
 ///
 /// ```text

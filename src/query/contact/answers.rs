@@ -88,8 +88,8 @@ impl Contact {
             return Vec2::from_raw(x.wrapping_neg().wrapping_mul(d), y.wrapping_neg().wrapping_mul(d));
         }
         // Each component below is at least the exact one in size and has its sign. So with n the
-        // axis, n.push is at least |n| times the depth: afterwards a line across n has A on one
-        // side and B on the other, and convex shapes that a line separates do not overlap.
+        // axis, n.push is at least |n| times the depth. Afterwards a line across n has A on one
+        // side and B on the other. Convex shapes that a line separates do not overlap.
         let (ux, uy) = unit_ceil(self.axis);
         // Radial: the cores are `axis` apart and have to be radii / |axis| times as far. The
         // difference of the two has the right sign.

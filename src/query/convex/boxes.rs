@@ -50,8 +50,8 @@ impl Parallelogram {
             let leading = margins(sides.map(|e| short(e, shift)), |e, f| short_cross(e, f).wrapping_abs());
             let least = leading.iter().fold(i32::MAX, |least, m| least.min(*m));
             // A component loses less than one. So a product of two sides is off by less than the
-            // sum of their components and one, 2^16 + 1, one with `d` by 2^16 + 2^15 + 1, and the
-            // sum of four by less than this.
+            // sum of their components and one, 2^16 + 1. One with `d` is off by less than 2^16 +
+            // 2^15 + 1, and the sum of four by less than this.
             if least.wrapping_abs() > 5 << 16 {
                 return least > 0;
             }

@@ -3,8 +3,8 @@
 //!
 //! A body with area that is outside of both solids and touches both at a point `p` has a tangent
 //! there: the half-plane `n . x > 0` in front of it holds neither solid. So `n` is in the cone of
-//! normals of each level at `p`: for a convex corner the closed cone between its two edges'
-//! normals, for a flat point one ray, and for anything more solid nothing. All rules follow:
+//! normals of each level at `p`. That is the closed cone between a convex corner's two edge
+//! normals, one ray at a flat point, and empty at anything more solid. All rules follow:
 //!
 //! - A vertex in the other solid is touched only within both cones. Where the other level has no
 //!   corner there, that is one ray at most, along a face of it. Where it has one, the first level

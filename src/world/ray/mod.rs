@@ -295,7 +295,8 @@ fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<Touch> {
 }
 
 /// How a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of
-/// `q` from its free side: the entry into the disc where it is `convex`, else the exit from it.
+/// `q` from its free side. That is the entry into the disc if it is `convex`, else the exit from
+/// it.
 ///
 /// Tangents do not meet a convex arc. They leave a concave one where they start on it. They also
 /// leave it where they come along the line on which it ends and continue into its cell.
