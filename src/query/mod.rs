@@ -196,9 +196,6 @@ mod overlap;
 #[cfg(test)]
 mod tests;
 
-// Motion uses `scaled` and `toward` through this path.
-pub(crate) use crate::num as round;
-
 pub use cast::{CastHit, CastShape, Inside, MovingHit};
 pub use closest::{ClosestPoint, Distance};
 pub use contact::{Contact, Contacts};
