@@ -61,7 +61,8 @@ impl<B: Body> Character<B> {
         Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
     }
 
-    /// Counts the frames since it stood, since it was at a wall, and for which a press still counts.
+    /// Counts the frames since it stood and since it was at a wall, and those for which a press
+    /// still counts.
     fn count_frames(&mut self, jump: bool, stands: bool) {
         self.away = if stands { 0 } else { self.away.saturating_add(1) };
         self.wall_age = self.wall_age.saturating_add(1);
@@ -117,8 +118,8 @@ impl<B: Body> Character<B> {
     /// Counts how far it still falls through one-way floors.
     ///
     /// A solid that sinks comes below the feet again, before the body falls. Farther below it than
-    /// it sinks in a frame, the drop is over. It sinks by at most the snap; the rest is for one that
-    /// speeds up.
+    /// it sinks in a frame, the drop is over. It sinks by at most the snap; the rest is for one
+    /// that speeds up.
     fn count_drop(&mut self, drops: bool, carry: Vec2, fall: Fx) {
         if drops && self.ridden().is_some() {
             let sinks = self.downward(carry.y).max(Fx::ZERO);
