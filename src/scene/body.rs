@@ -2,9 +2,9 @@
 //! each.
 
 use super::Shape;
-use super::blocked::{blocked_sides, still_blocked};
+use super::blocked_sides::{blocked_sides, still_blocked};
+use super::body_way::{BodyWay, Drift};
 use super::kernel::BodyShape;
-use super::way::{BodyWay, Drift};
 use crate::broad::{Handle, Keyed};
 use crate::filter::{Filter, LayerMask};
 use crate::motion::{Responses, Surface};
@@ -172,7 +172,7 @@ pub(super) struct Slot<S> {
     pub(super) support: u8,
     /// The slot of that fixed body.
     pub(super) ground: u16,
-    /// The [sides](super::blocked) to which it was last pushed in vain.
+    /// The [sides](super::blocked_sides) to which it was last pushed in vain.
     pub(super) blocked: u8,
     pub(super) tally: Tally,
     pub(super) way: BodyWay,

@@ -6,7 +6,7 @@
 //! rolls back. A way is the same if the body is, with its position, and what moves it.
 
 use super::body::Slot;
-use super::way::{Drift, size};
+use super::body_way::{Drift, size};
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
 
@@ -33,7 +33,7 @@ pub(super) struct RememberedWay {
 ///
 /// If it led nowhere, then its next way with the same causes is the same, as long as neither the
 /// body nor the level changes. A change of the body by a step goes through
-/// [`Trip::make`](super::trip::Trip), one by the game through [`Scene::alter`](super::Scene::alter),
+/// [`Trip::make`](super::through_level::Trip), one by the game through [`Scene::alter`](super::Scene::alter),
 /// and one of the level through [`Scene::wake_region`](super::Scene::wake_region); each clears this.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rest {
@@ -54,7 +54,7 @@ pub(super) struct Made {
     /// all that a way may have.
     hits: [Option<Hit>; 2],
     pub(super) floor: bool,
-    /// The [sides](super::blocked) to which the push led less than half its way.
+    /// The [sides](super::blocked_sides) to which the push led less than half its way.
     pub(super) blocked: u8,
 }
 
