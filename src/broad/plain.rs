@@ -1,7 +1,7 @@
 //! Bodies without cells, tested each against every other one, or in the order of their left sides.
 
 use super::order::{compact, sort};
-use super::table::{Bodies, Slots, Table};
+use super::table::{Bodies, HasTable, Slots, Table};
 use super::table::{Meter, Spatial, Stop};
 use super::{BroadError, Handle, Pair, PairCursor, PairsError, Tag};
 use crate::num::LONG;
@@ -11,16 +11,7 @@ use core::slice::Iter;
 /// The common part of both: they accept any box, and a query tests each.
 macro_rules! any_box {
     ($place:ty) => {
-        type Tag = T;
         type Place = $place;
-
-        fn table(&self) -> Bodies<'_, T> {
-            self.table.bodies()
-        }
-
-        fn slots(&mut self) -> Slots<'_, T> {
-            self.table.slots()
-        }
 
         fn relink(&mut self, _: usize, _: $place) {}
 
@@ -113,6 +104,18 @@ impl<const N: usize, T: Tag> BruteForce<N, T> {
 impl<const N: usize, T: Tag> Default for BruteForce<N, T> {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+impl<const N: usize, T: Tag> HasTable for BruteForce<N, T> {
+    type Tag = T;
+
+    fn table(&self) -> Bodies<'_, T> {
+        self.table.bodies()
+    }
+
+    fn slots(&mut self) -> Slots<'_, T> {
+        self.table.slots()
     }
 }
 
@@ -270,6 +273,18 @@ pub struct NewSlot(bool);
 impl<const N: usize, T: Tag> Default for SortSweep<N, T> {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+impl<const N: usize, T: Tag> HasTable for SortSweep<N, T> {
+    type Tag = T;
+
+    fn table(&self) -> Bodies<'_, T> {
+        self.table.bodies()
+    }
+
+    fn slots(&mut self) -> Slots<'_, T> {
+        self.table.slots()
     }
 }
 

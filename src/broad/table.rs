@@ -246,21 +246,25 @@ impl<T: Tag> Slots<'_, T> {
     }
 }
 
-/// How a broad phase finds bodies.
-///
-/// Sealed: nothing outside the crate implements it or needs to name it. The public face is
-/// [`BroadPhase`](super::BroadPhase), which has its [`Tag`](Self::Tag).
-pub trait Spatial: Sized {
+/// The bodies of a broad phase, in their slots.
+pub trait HasTable: Sized {
     /// The tag that bodies carry.
     type Tag: Tag;
-    /// The position of a box in the structure.
-    type Place: Copy;
 
     /// The slots that were ever taken, for reading.
     fn table(&self) -> Bodies<'_, Self::Tag>;
 
     /// The slots, for writing.
     fn slots(&mut self) -> Slots<'_, Self::Tag>;
+}
+
+/// How bodies are found, each broad phase in its own way.
+///
+/// Sealed: nothing outside the crate implements it or needs to name it. The public face is
+/// [`BroadPhase`](super::BroadPhase), which has its [`Tag`](HasTable::Tag).
+pub trait Spatial: HasTable {
+    /// The position of a box in the structure.
+    type Place: Copy;
 
     /// The position of a box in the structure, if it is allowed.
     ///

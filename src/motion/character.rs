@@ -1,7 +1,7 @@
 //! The hero of a platformer: one call per frame, built from [`Walker`].
 
-use super::feel::{Feel, Input, OnLeave, Outcome, Step};
-use super::{Body, MoveError, Mover, Support, Walked, Walker};
+use super::feel::{Feel, Input, Outcome, Step};
+use super::{Body, MoveError, Mover, Support, Walker};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
@@ -71,20 +71,6 @@ pub struct Character<B = Aabb> {
     /// The side of the last wall, -1 or 1, and how many frames ago it was there.
     pub(super) wall: i8,
     pub(super) wall_age: u8,
-}
-
-/// The plan of a frame: the velocity, and the walker that will make it.
-pub(super) struct Plan {
-    walker: Walker,
-    /// The motion still to make in this frame.
-    pub(super) velocity: Vec2,
-    /// The part of the motion that a solid has already made.
-    made: Vec2,
-    jumped: bool,
-    /// Whether it drops through the one-way floor that it stands on.
-    drops: bool,
-    /// Whether it stands and stays a walker: the velocity then has no part along "up".
-    walks: bool,
 }
 
 impl<B: Body> Character<B> {
@@ -211,21 +197,6 @@ impl<B: Body> Character<B> {
         self.step_carried(level, input, Vec2::ZERO)
     }
 
-    /// The second half of [`step_on`](Self::step_on), in a level [`Joined`](crate::Joined) with the
-    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned. The
-    /// example of `ride` shows both.
-    ///
-    /// # Errors
-    /// As [`step`](Self::step).
-    pub fn step_carried<W: World>(&mut self, level: &W, input: Input, carry: Vec2) -> Result<Step, RangeError> {
-        let mut next = *self;
-        let plan = next.plan(input, carry)?;
-        let walked = plan.walker.walk(level, &next.body, plan.velocity, next.floor);
-        let step = next.settle(&plan, walked)?;
-        *self = next;
-        Ok(step)
-    }
-
     pub(super) const fn mover(&self) -> Mover {
         Mover::platformer(if self.feel.falls_to_larger_y() { Axis::NEG_Y } else { Axis::Y })
     }
@@ -245,82 +216,6 @@ impl<B: Body> Character<B> {
         self.downward(self.velocity.y)
     }
 
-    /// Updates the timers, and returns the velocity of this frame after all rules.
-    pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
-        let feel = self.feel;
-        let stands = self.floor.is_some();
-        self.away = if stands { 0 } else { self.away.saturating_add(1) };
-        self.wall_age = self.wall_age.saturating_add(1);
-        self.wish = if input.jump && !self.held { feel.buffer.saturating_add(1) } else { self.wish };
-        self.held = input.jump;
-
-        let rate = if stands { feel.acceleration } else { feel.air_acceleration };
-        let keeps = stands || feel.on_leave == OnLeave::Keep;
-        let base = if keeps { self.base } else { Vec2::ZERO };
-        let base_fall = self.downward(base.y);
-        // Off a sinking solid it falls faster by the solid's speed; above a rising one no slower.
-        let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
-        let mut run = toward(self.velocity.x.saturating_sub(base.x), input.run, rate);
-        let against_wall = self.wall_age <= 1 && input.run.signum() == Fx::from(self.wall) && self.wall != 0;
-        let limit = feel.wall_slide.filter(|_| against_wall).map_or(fastest, |slide| slide.min(feel.fall));
-        let falls = self.falls().saturating_add(self.pull()).min(limit);
-        let mut fall = falls.saturating_sub(base_fall);
-        let (mut jumped, launched) = (false, fall < 0 && self.falls() < self.downward(self.left));
-        if launched {
-            (self.away, self.jumps) = (u8::MAX, false);
-        }
-        if stands {
-            self.base = carry; // if it leaves the floor in this frame
-        }
-
-        let drops = input.drop && self.floor.is_some_and(|floor| floor.one_way);
-        let can_jump = self.wish > 0 && !drops;
-        let off_floor = !launched && (stands || self.away <= feel.coyote);
-        let off_wall = feel.wall_jump.filter(|_| self.wall != 0 && self.wall_age <= feel.coyote.saturating_add(1));
-        if can_jump && (off_floor || off_wall.is_some()) {
-            // A jump takes no upward speed away, which a spring or a ramp gave. It is cut only if
-            // its own speed is the larger one.
-            if let Some(push) = off_wall.filter(|_| !off_floor) {
-                run = if self.wall > 0 { push.saturating_neg() } else { push };
-                (self.base, fall) = (Vec2::ZERO, falls);
-            }
-            let jump = feel.jump.saturating_neg();
-            self.jumps = fall >= jump;
-            fall = fall.min(jump);
-            (self.wish, self.away, self.wall, jumped) = (0, u8::MAX, 0, true);
-        }
-        if stands && jumped && feel.on_leave == OnLeave::AddUpward && self.downward(carry.y) > 0 {
-            self.base.y = Fx::ZERO;
-        }
-        self.wish = self.wish.saturating_sub(1);
-        self.jumps &= fall < 0;
-        if self.jumps && !input.jump {
-            fall = fall.max(feel.jump_cut.saturating_neg());
-        }
-        if input.drop {
-            self.away = u8::MAX;
-        }
-        let walker = self.walker(self.passes(input.drop))?;
-        // A solid that sinks moves below the feet first, before the body falls. The drop is over
-        // once the body is farther below than the solid sinks in a frame. It sinks by at most the
-        // snap; the rest is for a solid that speeds up.
-        if drops && self.ridden().is_some() {
-            let sinks = self.downward(carry.y).max(Fx::ZERO);
-            self.through = feel.snap.saturating_add(sinks).saturating_add(Fx::DELTA);
-        }
-        self.through = if fall > 0 { self.through.saturating_sub(fall).max(Fx::ZERO) } else { Fx::ZERO };
-
-        let base = if keeps { self.base } else { Vec2::ZERO };
-        let velocity = Vec2::new(run, self.downward(fall)) + base;
-        // A push along the velocity has already made a part of this frame's motion. So has the
-        // solid that the character left, if it comes under its feet in the frame of the landing.
-        let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
-        let pushed = Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y));
-        let made = if stands { carry } else { pushed };
-        let walks = stands && !(jumped || launched || drops);
-        Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
-    }
-
     /// Whether it passes one-way floors, if the button for that is down or not.
     pub(super) const fn passes(&self, drop: bool) -> bool {
         drop || self.through.to_bits() > 0
@@ -332,65 +227,8 @@ impl<B: Body> Character<B> {
         walker.with_snap(snap)?.with_step(step)
     }
 
-    /// Applies the result of a walk.
-    fn settle(&mut self, plan: &Plan, walked: Result<Walked<B>, MoveError>) -> Result<Step, RangeError> {
-        let walked = match walked {
-            Ok(walked) => walked,
-            Err(e) => {
-                let outcome = refused(e)?;
-                (self.velocity, self.floor, self.base, self.left) = (Vec2::ZERO, None, Vec2::ZERO, Fx::ZERO);
-                self.through = Fx::ZERO;
-                return Ok(Step::nothing(outcome));
-            }
-        };
-        let moved = &walked.moved;
-        let stood = self.floor.is_some();
-        let landed = !stood && walked.met_floor;
-        (self.body, self.floor) = (moved.body, walked.floor);
-        // The components of the velocity that nothing changed are kept. On a solid, the velocity is
-        // relative to the solid again.
-        let (now, was) = (moved.velocity, plan.velocity);
-        let free = if plan.walks { (!moved.wall, !moved.ceiling) } else { (now.x == was.x, now.y == was.y) };
-        let kept = |v: Vec2| {
-            let part = |free, v| if free { v } else { Fx::ZERO };
-            Vec2::new(part(free.0, v.x), part(free.1, v.y))
-        };
-        let (base, full) = (kept(self.base), now + kept(plan.made));
-        (self.base, self.velocity) = match walked.floor {
-            None => (base, full),
-            Some(floor) if stood || floor.solid().is_some() => (Vec2::ZERO, Vec2::new(full.x - base.x, now.y)),
-            Some(_) => (Vec2::ZERO, Vec2::new(full.x, now.y)),
-        };
-        if walked.met_floor {
-            self.through = Fx::ZERO;
-        }
-        if landed {
-            self.away = 0; // if it slid off at once, it left this floor now
-        }
-        self.left = self.velocity.y;
-        self.jumps &= !walked.met_floor;
-        if plan.drops && walked.floor.is_none() {
-            self.wish = 0; // the press meant the drop
-        }
-        if moved.wall {
-            // Steeper than 45 degrees: the mover's limit.
-            let steep = moved.hits.iter().filter(|hit| hit.axis.x.unsigned_abs() > hit.axis.y.unsigned_abs());
-            if let Some(hit) = steep.last() {
-                (self.wall, self.wall_age) = (if hit.axis.x < 0 { 1 } else { -1 }, 0);
-            }
-        }
-        Ok(Step {
-            outcome: if self.is_out() { Outcome::OutOfLevel } else { Outcome::Moved },
-            jumped: plan.jumped,
-            landed,
-            wall: moved.wall,
-            ceiling: moved.ceiling,
-            flags: moved.flags,
-            hits: moved.hits,
-        })
-    }
-
-    fn is_out(&self) -> bool {
+    /// Whether the whole body is outside of its limits, at the sides or below.
+    pub(super) fn is_out(&self) -> bool {
         let (bounds, lo, hi) = (self.body.bounds(), self.limits.lo(), self.limits.hi());
         let beside = bounds.hi().x < lo.x || bounds.lo().x > hi.x;
         beside || if self.feel.falls_to_larger_y() { bounds.lo().y > hi.y } else { bounds.hi().y < lo.y }
@@ -405,19 +243,4 @@ pub(super) fn refused(e: MoveError) -> Result<Outcome, RangeError> {
         MoveError::Range(RangeError { what: Quantity::X | Quantity::Y, .. }) => Ok(Outcome::OutOfLevel),
         MoveError::Range(e) => Err(e),
     }
-}
-
-/// The part that two motions have in common.
-fn shared(a: Fx, b: Fx) -> Fx {
-    if a < 0 { a.max(b).min(Fx::ZERO) } else { a.min(b).max(Fx::ZERO) }
-}
-
-/// The longer one of two motions.
-fn farther(a: Fx, b: Fx) -> Fx {
-    if a.unsigned_abs() < b.unsigned_abs() { b } else { a }
-}
-
-/// A speed, changed by at most `rate` toward another.
-fn toward(speed: Fx, target: Fx, rate: Fx) -> Fx {
-    if speed < target { speed.saturating_add(rate).min(target) } else { speed.saturating_sub(rate).max(target) }
 }

@@ -100,6 +100,7 @@ mod blocks;
 mod body;
 mod cast;
 mod character;
+mod character_step;
 mod contact;
 mod feel;
 mod first_leg;
@@ -109,6 +110,7 @@ mod memo;
 mod moved;
 mod mover;
 mod order;
+mod plan;
 mod plane;
 pub mod response {
     //! The response toolkit: how a contact changes a velocity, a pair of bodies or a string of

@@ -178,7 +178,8 @@ macro_rules! closest {
     };
 }
 
-/// A pair of different shapes, in both orders.
+/// A pair of different shapes, in both orders. The points come in the order of the shapes, so
+/// `both_orders` does not do.
 macro_rules! closest_both {
     ($a:ty, $b:ty, |$x:ident, $y:ident| $points:expr) => {
         closest!($a, $b, |$x, $y| $points);
@@ -380,20 +381,12 @@ macro_rules! distance {
     };
 }
 
-/// A pair of different shapes, in both orders.
-macro_rules! distance_both {
-    ($a:ty, $b:ty, |$x:ident, $y:ident| $core:expr, $radius:expr) => {
-        distance!($a, $b, |$x, $y| $core, $radius);
-        distance!($b, $a, |$y, $x| $core, $radius);
-    };
-}
-
 distance!(Aabb, Vec2, |a, p| boxes_apart(a.lo(), a.hi(), Raw::of(*p), Raw::of(*p)), 0);
 distance!(Circle, Vec2, |a, p| points(a.c(), Raw::of(*p)), a.r());
 distance!(Segment, Vec2, |a, p| to_segment(Raw::of(*p), a.ra(), a.rb()), 0);
 distance!(Aabb, Aabb, |a, b| boxes_apart(a.lo(), a.hi(), b.lo(), b.hi()), 0);
 distance!(Circle, Circle, |a, b| points(a.c(), b.c()), a.r().wrapping_add(b.r()));
 distance!(Segment, Segment, |a, b| segments_apart(a, b), 0);
-distance_both!(Circle, Aabb, |a, b| boxes_apart(a.c(), a.c(), b.lo(), b.hi()), a.r());
-distance_both!(Circle, Segment, |a, b| to_segment(a.c(), b.ra(), b.rb()), a.r());
-distance_both!(Segment, Aabb, |a, b| segment_box(a, b.lo(), b.hi()), 0);
+both_orders!(distance: Circle, Aabb, |a, b| boxes_apart(a.c(), a.c(), b.lo(), b.hi()), a.r());
+both_orders!(distance: Circle, Segment, |a, b| to_segment(a.c(), b.ra(), b.rb()), a.r());
+both_orders!(distance: Segment, Aabb, |a, b| segment_box(a, b.lo(), b.hi()), 0);

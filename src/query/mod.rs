@@ -188,6 +188,19 @@
 //! if its sign is a convention. It is reversed if only the choice between two axes is a convention.
 //! The distance of shapes that are less than one raw unit apart is 0, while `touches` is false.
 
+/// A pair of different shapes, in both orders, by the macro of one ordered pair. Its kernels take
+/// the shapes in either order.
+macro_rules! both_orders {
+    ($one:ident: [$($n:tt)*] $a:ty, $b:ty) => {
+        $one!([$($n)*] $a, $b);
+        $one!([$($n)*] $b, $a);
+    };
+    ($one:ident: $a:ty, $b:ty, |$x:ident, $y:ident $(, $more:ident)?| $($kernel:expr),+) => {
+        $one!($a, $b, |$x, $y $(, $more)?| $($kernel),+);
+        $one!($b, $a, |$y, $x $(, $more)?| $($kernel),+);
+    };
+}
+
 pub(crate) mod cast;
 pub(crate) mod closest;
 mod compound;
@@ -197,9 +210,6 @@ pub(crate) mod meet;
 mod overlap;
 #[cfg(test)]
 mod tests;
-
-// Motion uses `scaled` and `toward` through this path.
-pub(crate) use crate::num as round;
 
 pub use cast::{CastHit, CastShape, Inside, MovingHit};
 pub use closest::{ClosestPoint, Distance};

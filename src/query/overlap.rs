@@ -90,20 +90,12 @@ macro_rules! meets {
     };
 }
 
-/// A pair of different shapes, in both orders.
-macro_rules! meets_both {
-    ($a:ty, $b:ty, |$x:ident, $y:ident, $closed:ident| $test:expr) => {
-        meets!($a, $b, |$x, $y, $closed| $test);
-        meets!($b, $a, |$y, $x, $closed| $test);
-    };
-}
-
 meets!(Aabb, Aabb, |a, b, CLOSED| meet::aabb_aabb::<CLOSED>(a.lo(), a.hi(), b.lo(), b.hi()));
 meets!(Circle, Circle, |a, b, CLOSED| meet::circle_circle::<CLOSED>(a.c(), b.c(), a.r().wrapping_add(b.r())));
 meets!(Segment, Segment, |a, b, CLOSED| meet::segment_segment::<CLOSED>(a.ra(), a.rb(), b.ra(), b.rb()));
-meets_both!(Circle, Aabb, |a, b, CLOSED| meet::circle_aabb::<CLOSED>(a.c(), a.r(), b.lo(), b.hi()));
-meets_both!(Circle, Segment, |a, b, CLOSED| meet::circle_segment::<CLOSED>(a.c(), a.r(), b.ra(), b.rb()));
-meets_both!(Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a.rb(), b.lo(), b.hi()));
+both_orders!(meets: Circle, Aabb, |a, b, CLOSED| meet::circle_aabb::<CLOSED>(a.c(), a.r(), b.lo(), b.hi()));
+both_orders!(meets: Circle, Segment, |a, b, CLOSED| meet::circle_segment::<CLOSED>(a.c(), a.r(), b.ra(), b.rb()));
+both_orders!(meets: Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a.ra(), a.rb(), b.lo(), b.hi()));
 
 /// The sides of up to `N` boxes in columns, to test one box against all of them at once.
 ///

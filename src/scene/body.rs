@@ -1,9 +1,9 @@
 //! The bodies of a scene: the values that a game sets, and the state that steps keep.
 
 use super::Shape;
-use super::blocked::{blocked_sides, still_blocked};
+use super::blocked_sides::{blocked_sides, still_blocked};
+use super::body_way::{BodyWay, Drift};
 use super::kernel::BodyShape;
-use super::way::{BodyWay, Drift};
 use crate::broad::{Handle, Keyed};
 use crate::filter::{Filter, LayerMask};
 use crate::motion::{Responses, Surface};
@@ -173,7 +173,7 @@ pub(super) struct Slot<S> {
     pub(super) support: u8,
     /// The slot of that fixed body.
     pub(super) ground: u16,
-    /// The [sides](super::blocked) to which it was last pushed without effect.
+    /// The [sides](super::blocked_sides) to which it was last pushed without effect.
     pub(super) blocked: u8,
     pub(super) tally: Tally,
     pub(super) way: BodyWay,

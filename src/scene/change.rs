@@ -1,11 +1,11 @@
 //! The changes that a game makes between steps, and the bodies that these wake.
 
 use super::body::{Mode, Slot, Tally};
+use super::body_way::size;
 use super::kernel::BodyShape;
-use super::lean::NEAR;
+use super::meeting_time::around;
 use super::memory::{Remembered, forget, keep};
-use super::met::around;
-use super::way::size;
+use super::resting::NEAR;
 use super::{Scene, SceneBody, SceneError};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;

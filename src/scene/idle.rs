@@ -9,11 +9,11 @@
 //! distance make their steps in full.
 
 use super::body::{Mode, Slot};
+use super::body_way::size;
 use super::kernel::BodyShape;
+use super::meeting_time::{around, reach};
 use super::memory::{Idle, Remembered, Rest, rest, rest_mut};
-use super::met::{around, reach};
 use super::pairs::root;
-use super::way::size;
 use super::{Scene, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;

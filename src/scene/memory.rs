@@ -6,7 +6,7 @@
 //! back. Two motions are equal if the body, its position and the causes are equal.
 
 use super::body::Slot;
-use super::way::{Drift, size};
+use super::body_way::{Drift, size};
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
 
@@ -33,7 +33,7 @@ pub(super) struct RememberedWay {
 ///
 /// If it led nowhere, its next motion with the same causes does the same, as long as neither the
 /// body nor the level changes. A change of the body by a step goes through
-/// [`Trip::make`](super::trip::Trip), one by the game through
+/// [`Trip::make`](super::through_level::Trip), one by the game through
 /// [`Scene::alter`](super::Scene::alter), and one of the level through
 /// [`Scene::wake_region`](super::Scene::wake_region); each clears this.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +55,7 @@ pub(super) struct Made {
     /// those that a motion may have.
     hits: [Option<Hit>; 2],
     pub(super) floor: bool,
-    /// The [sides](super::blocked) to which less than half of the push was made.
+    /// The [sides](super::blocked_sides) to which less than half of the push was made.
     pub(super) blocked: u8,
 }
 

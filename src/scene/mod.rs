@@ -343,20 +343,22 @@
 //! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
 //! tiles that change, solids.
 
-mod blocked;
+mod blocked_sides;
 mod body;
+mod body_way;
 mod change;
 mod error;
 mod event;
+mod fast_bodies;
 mod idle;
 mod kernel;
-mod lean;
-mod meeting;
+mod level_of_body;
+mod meeting_time;
 mod memory;
-mod met;
 mod pairs;
 mod piles;
 mod reply;
+mod resting;
 mod ride;
 mod set;
 mod shape;
@@ -364,11 +366,9 @@ mod snapshot;
 mod step;
 #[cfg(feature = "serde")]
 mod stored;
-mod swept;
-mod trip;
+mod through_level;
 mod two_ways;
-mod view;
-mod way;
+mod velocities;
 
 pub use body::SceneBody;
 pub use error::{SceneError, SceneFault};

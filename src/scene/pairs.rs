@@ -1,13 +1,13 @@
 //! How the contacts at the start of a step affect two bodies: which pushes the other, which lies on
 //! the other, and which rest together.
 
-use super::blocked::leads_to_blocked;
+use super::blocked_sides::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
+use super::body_way::{Pace, size};
 use super::kernel::BodyShape;
-use super::meeting::{Meeting, Top, toward};
-use super::met::senses;
+use super::meeting_time::senses;
 use super::reply::{Replies, Reply};
-use super::way::{Pace, size};
+use super::velocities::{Meeting, Top, toward};
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::motion::Masses;
 use crate::motion::response::separate;

@@ -5,14 +5,14 @@
 //! whole pile within a step, and a pile on a moving carrier behaves as at rest.
 
 use super::body::{ALOFT, FLIES, Mode, Slot};
+use super::body_way::{Drift, Pace, size};
 use super::kernel::BodyShape;
-use super::meeting::{Meeting, Top, carried, toward};
+use super::level_of_body::View;
+use super::meeting_time::{around, may_meet, pair, senses};
 use super::memory::{Remembered, keep, rest_mut};
-use super::met::{around, may_meet, pair, senses};
 use super::reply::{Replies, Reply};
-use super::trip::{Trip, hold_in_place};
-use super::view::View;
-use super::way::{Drift, Pace, size};
+use super::through_level::{Trip, hold_in_place};
+use super::velocities::{Meeting, Top, carried, toward};
 use super::{Scene, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;

@@ -2,11 +2,11 @@
 
 use super::body::ALOFT;
 use super::kernel::{BodyShape, Visit};
-use super::meeting::toward;
+use super::level_of_body::{Sliding, sliding};
+use super::meeting_time::{around, may_meet, senses};
 use super::memory::Remembered;
-use super::met::{around, may_meet, senses};
 use super::reply::Unasked;
-use super::view::{Sliding, sliding};
+use super::velocities::toward;
 use super::{Scene, SceneError, SceneFault};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::error::{Quantity, RangeError};

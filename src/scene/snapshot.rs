@@ -1,10 +1,10 @@
 //! The state that a scene carries from one step to the next, smaller than the scene.
 
 use super::body::{Mode, Slot, Tally};
+use super::body_way::{BodyWay, Drift};
 use super::kernel::BodyShape;
 use super::memory::Remembered;
 use super::set::SleepDifference;
-use super::way::{BodyWay, Drift};
 use super::{Scene, SceneBody, Shape, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;

@@ -1,18 +1,18 @@
 //! One step of a scene.
 
 use super::body::{FLIES, Mode, NOBODY, Slot, Tally};
+use super::body_way::{BodyWay, Pace};
 use super::change::add_to_awake;
 use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
 use super::kernel::BodyShape;
-use super::lean::{NEAR, join_leaning, leans};
+use super::level_of_body::{Common, EachLevel, EachLevelTraced, View};
+use super::meeting_time::{around, may_meet, pair, senses};
 use super::memory::{Remembered, keep};
-use super::met::{around, may_meet, pair, senses};
 use super::pairs::{both, collect_effects, collect_kicks, each_pair, join, note_who_lies, root};
 use super::reply::{Answer, ByCall, Replies, Reply, Unasked};
+use super::resting::{NEAR, join_leaning, leans};
 use super::set::Sleep;
-use super::trip::Trip;
-use super::view::{Common, EachLevel, EachLevelTraced, View};
-use super::way::{BodyWay, Pace};
+use super::through_level::Trip;
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;

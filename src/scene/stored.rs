@@ -1,11 +1,11 @@
 //! Scenes: what a snapshot has, where the scene and its broad phase have to agree.
 
-use super::blocked::ALL;
+use super::blocked_sides::ALL;
 use super::body::{Mode, NOBODY};
+use super::body_way::Drift;
 use super::kernel::BodyShape;
 use super::set::SleepDifference;
 use super::snapshot::{Kept, Snapshot, Status};
-use super::way::Drift;
 use super::{Scene, SceneBody, Sleep};
 use crate::broad::{BroadPhase, Keyed};
 use crate::filter::Filter;

@@ -1,12 +1,12 @@
 //! Two bodies that meet on their ways: their velocities, who lies on whom, and who yields.
 
 use super::body::{ALOFT, NOBODY, Slot};
+use super::body_way::{Heading, Pace, TURNS, common};
 use super::kernel::BodyShape;
-use super::meeting::{Meeting, Top, toward};
-use super::met::Encounter;
+use super::meeting_time::Encounter;
 use super::pairs::both;
 use super::reply::Reply;
-use super::way::{Heading, Pace, TURNS, common};
+use super::velocities::{Meeting, Top, toward};
 use crate::broad::Handle;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};

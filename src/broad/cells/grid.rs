@@ -3,7 +3,7 @@
 use super::lattice::{At, CellRows, Lattice, Window};
 use super::lists::{Links, Lists, ListsMut, Neighbours};
 use super::{InCells, Moving};
-use crate::broad::table::{Bodies, NIL, Slots, Table, touch};
+use crate::broad::table::{Bodies, HasTable, NIL, Slots, Table, touch};
 use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2, check_coordinate};
 use crate::shape::Aabb;
@@ -182,10 +182,8 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
     }
 }
 
-impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for LooseGrid<BLOCKS, N, T, LARGE> {
+impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> HasTable for LooseGrid<BLOCKS, N, T, LARGE> {
     type Tag = T;
-    const LARGE: bool = LARGE;
-    const ENDLESS: bool = false;
 
     fn table(&self) -> Bodies<'_, T> {
         self.table.bodies()
@@ -194,6 +192,11 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
     fn slots(&mut self) -> Slots<'_, T> {
         self.table.slots()
     }
+}
+
+impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for LooseGrid<BLOCKS, N, T, LARGE> {
+    const LARGE: bool = LARGE;
+    const ENDLESS: bool = false;
 
     #[inline]
     fn lattice(&self) -> &Lattice {

@@ -3,7 +3,7 @@
 use super::lattice::{At, Lattice, Window, is_free};
 use super::lists::{Links, Lists, ListsMut, Neighbours};
 use super::{InCells, Moving};
-use crate::broad::table::{Bodies, NIL, Slots, Table, touch};
+use crate::broad::table::{Bodies, HasTable, NIL, Slots, Table, touch};
 use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2};
 use crate::shape::Aabb;
@@ -94,10 +94,8 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHas
     }
 }
 
-impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for SpatialHash<BUCKETS, N, T, LARGE> {
+impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> HasTable for SpatialHash<BUCKETS, N, T, LARGE> {
     type Tag = T;
-    const LARGE: bool = LARGE;
-    const ENDLESS: bool = true;
 
     fn table(&self) -> Bodies<'_, T> {
         self.table.bodies()
@@ -106,6 +104,11 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
     fn slots(&mut self) -> Slots<'_, T> {
         self.table.slots()
     }
+}
+
+impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for SpatialHash<BUCKETS, N, T, LARGE> {
+    const LARGE: bool = LARGE;
+    const ENDLESS: bool = true;
 
     #[inline]
     fn lattice(&self) -> &Lattice {

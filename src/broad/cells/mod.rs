@@ -11,27 +11,21 @@ pub use grid::{Border, LooseGrid};
 pub use hash::SpatialHash;
 
 use super::phase::BroadPhase;
-use super::table::{Bodies, NIL, Slots};
+use super::table::{HasTable, NIL, Slots};
 use super::table::{Meter, PairCursor, Spatial, square};
-use super::{BroadError, Handle, Pair, PairsError, Tag};
+use super::{BroadError, Handle, Pair, PairsError};
 use crate::num::{Raw, Toi};
 use crate::shape::Aabb;
 use lattice::{At, Lattice, Window, along, is_short, last_ring, ring};
 use lists::{CELLS_DONE, Lists, ListsMut, Neighbours, PairWalk};
 
 /// Lists of bodies by the cells of their centres, and one of those that are too large for a cell.
-pub trait InCells: Sized {
-    type Tag: Tag;
-
+pub trait InCells: HasTable {
     /// Whether bodies that are too large for a cell are accepted.
     const LARGE: bool;
 
     /// Whether rings of cells have no end, so there may be more cells than bodies.
     const ENDLESS: bool;
-
-    fn table(&self) -> Bodies<'_, Self::Tag>;
-
-    fn slots(&mut self) -> Slots<'_, Self::Tag>;
 
     fn lattice(&self) -> &Lattice;
 
@@ -74,17 +68,8 @@ pub struct Moving<'a, T, F> {
 }
 
 impl<C: InCells> Spatial for C {
-    type Tag = C::Tag;
     /// The number of a list; NIL is that of large bodies.
     type Place = u16;
-
-    fn table(&self) -> Bodies<'_, C::Tag> {
-        InCells::table(self)
-    }
-
-    fn slots(&mut self) -> Slots<'_, C::Tag> {
-        InCells::slots(self)
-    }
 
     #[inline]
     fn admit(&self, bounds: &Aabb) -> Result<u16, BroadError> {
@@ -120,7 +105,7 @@ impl<C: InCells> Spatial for C {
                 slots.set_while(slot, &mut to, keep)
             };
             let Some((moved, bounds)) = left else { return first };
-            let handle = InCells::table(self).handle(moved);
+            let handle = self.table().handle(moved);
             if let Err(error) = self.move_to(handle, &bounds) {
                 first = first.and(Err((handle, error)));
             }
@@ -143,7 +128,7 @@ impl<C: InCells> Spatial for C {
         meter: &mut M,
         each: impl FnMut(Pair) -> bool,
     ) -> Result<(), PairsError> {
-        let mut walk = PairWalk { bodies: InCells::table(self), lists: self.lists(), meter, each };
+        let mut walk = PairWalk { bodies: self.table(), lists: self.lists(), meter, each };
         // First the pairs of bodies in cells. Then those of large bodies, if there can be any.
         if !C::LARGE || cursor.row != CELLS_DONE {
             walk.in_cells(self.neighbours(), cursor)?;
@@ -165,7 +150,7 @@ impl<C: InCells> Spatial for C {
 
     #[inline]
     fn visit_path(&self, start: &Aabb, motion: Raw, mut each: impl FnMut(usize) -> Toi) {
-        if !is_short(self.lattice(), start, motion, InCells::table(self).bounds.len()) {
+        if !is_short(self.lattice(), start, motion, self.table().bounds.len()) {
             let end = Aabb::from_raw_unchecked(start.lo().add(motion), start.hi().add(motion));
             return self.touching(&start.union(&end), |slot| {
                 each(slot);
@@ -187,7 +172,7 @@ impl<C: InCells> Spatial for C {
 
     #[inline]
     fn visit_near(&self, point: Raw, mut reach: i32, mut each: impl FnMut(usize) -> i32) {
-        let (lists, mut left) = (self.lists(), InCells::table(self).bounds.len() as i32);
+        let (lists, mut left) = (self.lists(), self.table().bounds.len() as i32);
         lists.from(lists.large).for_each(|slot| reach = each(slot));
         let centre = self.clip(Window::of(self.lattice().at(&Aabb::from_raw_unchecked(point, point)))).first();
         for r in 0.. {

@@ -4,9 +4,8 @@
 use super::Surface;
 use super::reply::{Rule, reply, settle};
 use crate::error::RangeError;
-use crate::num::{Axis, DOMAIN, MOTION, Ratio, Raw, Vec2, check_motion, mul_div};
+use crate::num::{Axis, DOMAIN, MOTION, Ratio, Raw, Vec2, check_motion, mul_div, scaled};
 use crate::query::Contact;
-use crate::query::round::scaled;
 
 /// A vector as the sum of a part along a normal and a part along the surface. The sum is exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,7 +1,6 @@
 //! The velocity after a contact: the exact reply, and the lattice vector nearest to it.
 
-use crate::num::{Axis, Ratio, Raw, imul, isqrt64, umul};
-use crate::query::round::{scaled, toward};
+use crate::num::{Axis, Ratio, Raw, imul, isqrt64, scaled, toward, umul};
 use core::fmt;
 use core::hash::{Hash, Hasher};
 

@@ -3,8 +3,7 @@
 use super::Law;
 use crate::error::RangeError;
 use crate::motion::{MoveError, Mover};
-use crate::num::{Fx, Ratio, Raw, Vec2, check_length, usqr};
-use crate::query::round::toward;
+use crate::num::{Fx, Ratio, Raw, Vec2, check_length, toward, usqr};
 use crate::shape::Circle;
 use crate::world::World;
 use core::fmt;

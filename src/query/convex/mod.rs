@@ -249,36 +249,28 @@ macro_rules! pair {
     };
 }
 
-/// A pair of different shapes, in both orders.
-macro_rules! pair_both {
-    ([$($n:tt)*] $a:ty, $b:ty) => {
-        pair!([$($n)*] $a, $b);
-        pair!([$($n)*] $b, $a);
-    };
-}
-
 pair!([] Capsule, Capsule);
-pair_both!([] Capsule, Aabb);
-pair_both!([] Capsule, Circle);
-pair_both!([] Capsule, Segment);
+both_orders!(pair: [] Capsule, Aabb);
+both_orders!(pair: [] Capsule, Circle);
+both_orders!(pair: [] Capsule, Segment);
 pair!([] OrientedBox, OrientedBox);
-pair_both!([] OrientedBox, Aabb);
-pair_both!([] OrientedBox, Circle);
-pair_both!([] OrientedBox, Segment);
-pair_both!([] OrientedBox, Capsule);
+both_orders!(pair: [] OrientedBox, Aabb);
+both_orders!(pair: [] OrientedBox, Circle);
+both_orders!(pair: [] OrientedBox, Segment);
+both_orders!(pair: [] OrientedBox, Capsule);
 pair!([const N: usize, const M: usize] ConvexPolygon<N>, ConvexPolygon<M>);
-pair_both!([const N: usize] ConvexPolygon<N>, Aabb);
-pair_both!([const N: usize] ConvexPolygon<N>, Circle);
-pair_both!([const N: usize] ConvexPolygon<N>, Segment);
-pair_both!([const N: usize] ConvexPolygon<N>, Capsule);
-pair_both!([const N: usize] ConvexPolygon<N>, OrientedBox);
+both_orders!(pair: [const N: usize] ConvexPolygon<N>, Aabb);
+both_orders!(pair: [const N: usize] ConvexPolygon<N>, Circle);
+both_orders!(pair: [const N: usize] ConvexPolygon<N>, Segment);
+both_orders!(pair: [const N: usize] ConvexPolygon<N>, Capsule);
+both_orders!(pair: [const N: usize] ConvexPolygon<N>, OrientedBox);
 pair!([const N: usize, const M: usize] AnyShape<N>, AnyShape<M>);
-pair_both!([const N: usize] AnyShape<N>, Aabb);
-pair_both!([const N: usize] AnyShape<N>, Circle);
-pair_both!([const N: usize] AnyShape<N>, Segment);
-pair_both!([const N: usize] AnyShape<N>, Capsule);
-pair_both!([const N: usize] AnyShape<N>, OrientedBox);
-pair_both!([const N: usize, const M: usize] AnyShape<N>, ConvexPolygon<M>);
+both_orders!(pair: [const N: usize] AnyShape<N>, Aabb);
+both_orders!(pair: [const N: usize] AnyShape<N>, Circle);
+both_orders!(pair: [const N: usize] AnyShape<N>, Segment);
+both_orders!(pair: [const N: usize] AnyShape<N>, Capsule);
+both_orders!(pair: [const N: usize] AnyShape<N>, OrientedBox);
+both_orders!(pair: [const N: usize, const M: usize] AnyShape<N>, ConvexPolygon<M>);
 
 // The other verbs of these have kernels of their own.
 manifolds!([] Aabb, Aabb);

@@ -1,9 +1,9 @@
 //! How two bodies act on each other's velocities, and which of them carries the other.
 
 use super::body::{ALOFT, Slot};
+use super::body_way::size;
 use super::kernel::BodyShape;
 use super::reply::Reply;
-use super::way::size;
 use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
 use crate::num::{Axis, Ratio, Vec2, mul_div};

@@ -1,9 +1,9 @@
 //! Where and when the paths of two bodies meet, and which bodies can be on a path.
 
 use super::body::{Mode, Slot};
+use super::body_way::{Pace, WayEnd, later, size};
 use super::kernel::BodyShape;
 use super::reply::Replies;
-use super::way::{Pace, WayEnd, later, size};
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2};
 use crate::query::Touches;

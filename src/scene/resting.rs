@@ -5,10 +5,10 @@
 
 use super::body::Slot;
 use super::kernel::BodyShape;
-use super::meeting::toward;
-use super::met::{around, may_meet, pair, senses};
+use super::meeting_time::{around, may_meet, pair, senses};
 use super::pairs::join;
 use super::reply::Replies;
+use super::velocities::toward;
 use crate::broad::{BroadPhase, Handle};
 use crate::num::{Fx, Vec2};
 

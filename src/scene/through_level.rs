@@ -1,14 +1,14 @@
 //! The motion of one body through the level.
 
-use super::blocked::blocked_sides;
+use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
+use super::body_way::{BodyWay, Drift, Pace, size};
 use super::kernel::{BodyShape, Visit};
-use super::lean::{down, holds_up};
-use super::meeting::toward;
+use super::level_of_body::{Sliding, View, sliding};
+use super::meeting_time::{may_meet, senses};
 use super::memory::{Causes, Made, Remembered, Rest, Start, keep, known, note, rest_mut};
-use super::met::{may_meet, senses};
-use super::view::{Sliding, View, sliding};
-use super::way::{BodyWay, Drift, Pace, size};
+use super::resting::{down, holds_up};
+use super::velocities::toward;
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;

@@ -7,18 +7,18 @@
 //! its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet again in
 //! the step move along each other, and their velocities meet in the next one.
 
-use super::blocked::blocked_sides;
+use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, NOBODY, Slot};
+use super::body_way::{BodyWay, Heading, Pace, TURNS, WayEnd, later, size};
 use super::change::add_to_awake;
 use super::idle::{reach_of, stop_idling};
 use super::kernel::BodyShape;
+use super::level_of_body::View;
+use super::meeting_time::{Encounter, FirstEnd, around, each_near, may_meet, pair, reach, senses, stops};
 use super::memory::Remembered;
-use super::met::{Encounter, FirstEnd, around, each_near, may_meet, pair, reach, senses, stops};
 use super::reply::{Replies, Reply};
-use super::trip::{Touched, Trip, hold_in_place};
+use super::through_level::{Touched, Trip, hold_in_place};
 use super::two_ways::{TwoWays, pushed};
-use super::view::View;
-use super::way::{BodyWay, Heading, Pace, TURNS, WayEnd, later, size};
 use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;

@@ -1,0 +1,154 @@
+//! What a character plans for a frame before it moves: its timers, jumps and velocity.
+
+use super::character::Character;
+use super::feel::{Input, OnLeave};
+use super::{Body, Walker};
+use crate::error::RangeError;
+use crate::num::{Fx, Vec2};
+
+/// The plan of a frame: the velocity, and the walker that will make it.
+pub(super) struct Plan {
+    pub(super) walker: Walker,
+    /// The motion still to make in this frame.
+    pub(super) velocity: Vec2,
+    /// The part of the motion that a solid has already made.
+    pub(super) made: Vec2,
+    pub(super) jumped: bool,
+    /// Whether it drops through the one-way floor that it stands on.
+    pub(super) drops: bool,
+    /// Whether it stands and stays a walker: the velocity then has no part along "up".
+    pub(super) walks: bool,
+}
+
+/// The speeds of a frame, as seen from the solid that the character left.
+struct Speeds {
+    run: Fx,
+    /// Downward.
+    fall: Fx,
+    /// The same as seen from the level.
+    falls: Fx,
+}
+
+impl<B: Body> Character<B> {
+    /// Timers, gravity, launches, jumps and running: the velocity of this frame.
+    pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
+        let stands = self.floor.is_some();
+        self.count_frames(input.jump, stands);
+        let keeps = stands || self.feel.on_leave == OnLeave::Keep;
+        let mut speeds = self.run_and_fall(input.run, if keeps { self.base } else { Vec2::ZERO }, stands);
+        let launched = speeds.fall < 0 && self.falls() < self.downward(self.left);
+        if launched {
+            (self.away, self.jumps) = (u8::MAX, false);
+        }
+        if stands {
+            self.base = carry; // if it leaves the floor in this frame
+        }
+        let drops = input.drop && self.floor.is_some_and(|floor| floor.one_way);
+        let jumped = self.wish > 0 && !drops && self.jump(&mut speeds, !launched, stands);
+        if stands && jumped && self.feel.on_leave == OnLeave::AddUpward && self.downward(carry.y) > 0 {
+            self.base.y = Fx::ZERO;
+        }
+        self.cut_rise(&mut speeds, input.jump);
+        if input.drop {
+            self.away = u8::MAX;
+        }
+        let walker = self.walker(self.passes(input.drop))?;
+        self.count_drop(drops, carry, speeds.fall);
+        let base = if keeps { self.base } else { Vec2::ZERO };
+        let velocity = Vec2::new(speeds.run, self.downward(speeds.fall)) + base;
+        let made = if stands { carry } else { already_made(velocity, base, carry) };
+        let walks = stands && !(jumped || launched || drops);
+        Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
+    }
+
+    /// Counts the frames since it stood and since it was at a wall, and those for which a press
+    /// still counts.
+    fn count_frames(&mut self, jump: bool, stands: bool) {
+        self.away = if stands { 0 } else { self.away.saturating_add(1) };
+        self.wall_age = self.wall_age.saturating_add(1);
+        self.wish = if jump && !self.held { self.feel.buffer.saturating_add(1) } else { self.wish };
+        self.held = jump;
+    }
+
+    /// Running and gravity.
+    fn run_and_fall(&self, run: Fx, base: Vec2, stands: bool) -> Speeds {
+        let feel = &self.feel;
+        let rate = if stands { feel.acceleration } else { feel.air_acceleration };
+        let base_fall = self.downward(base.y);
+        // Off a sinking solid it falls faster by the solid's speed. Above a rising one it falls no
+        // slower.
+        let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
+        let against_wall = self.wall_age <= 1 && run.signum() == Fx::from(self.wall) && self.wall != 0;
+        let limit = feel.wall_slide.filter(|_| against_wall).map_or(fastest, |slide| slide.min(feel.fall));
+        let falls = self.falls().saturating_add(self.pull()).min(limit);
+        let run = toward(self.velocity.x.saturating_sub(base.x), run, rate);
+        Speeds { run, fall: falls.saturating_sub(base_fall), falls }
+    }
+
+    /// Jumps off the floor, or off a wall, if it can. Returns whether it does.
+    fn jump(&mut self, speeds: &mut Speeds, may_leave_floor: bool, stands: bool) -> bool {
+        let feel = &self.feel;
+        let off_floor = may_leave_floor && (stands || self.away <= feel.coyote);
+        let off_wall = feel.wall_jump.filter(|_| self.wall != 0 && self.wall_age <= feel.coyote.saturating_add(1));
+        if !off_floor && off_wall.is_none() {
+            return false;
+        }
+        // A jump takes no upward speed away, which a spring or a ramp gave. It is cut only if its
+        // own speed is the larger one.
+        if let Some(push) = off_wall.filter(|_| !off_floor) {
+            speeds.run = if self.wall > 0 { push.saturating_neg() } else { push };
+            (self.base, speeds.fall) = (Vec2::ZERO, speeds.falls);
+        }
+        let jump = self.feel.jump.saturating_neg();
+        self.jumps = speeds.fall >= jump;
+        speeds.fall = speeds.fall.min(jump);
+        (self.wish, self.away, self.wall) = (0, u8::MAX, 0);
+        true
+    }
+
+    /// Cuts the rise of a jump whose button was released.
+    fn cut_rise(&mut self, speeds: &mut Speeds, jump: bool) {
+        self.wish = self.wish.saturating_sub(1);
+        self.jumps &= speeds.fall < 0;
+        if self.jumps && !jump {
+            speeds.fall = speeds.fall.max(self.feel.jump_cut.saturating_neg());
+        }
+    }
+
+    /// Counts how far it still falls through one-way floors.
+    ///
+    /// A solid that sinks comes below the feet again, before the body falls. Farther below it than
+    /// it sinks in a frame, the drop is over. It sinks by at most the snap; the rest is for one
+    /// that speeds up.
+    fn count_drop(&mut self, drops: bool, carry: Vec2, fall: Fx) {
+        if drops && self.ridden().is_some() {
+            let sinks = self.downward(carry.y).max(Fx::ZERO);
+            self.through = self.feel.snap.saturating_add(sinks).saturating_add(Fx::DELTA);
+        }
+        self.through = if fall > 0 { self.through.saturating_sub(fall).max(Fx::ZERO) } else { Fx::ZERO };
+    }
+}
+
+/// The part of a velocity in the air that a solid's push has already made.
+///
+/// A push in its own direction makes a part of its way. So does the solid that it left, if that
+/// comes below its feet in the frame in which it lands.
+fn already_made(velocity: Vec2, base: Vec2, carry: Vec2) -> Vec2 {
+    let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
+    Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y))
+}
+
+/// The part that two motions have in common.
+fn shared(a: Fx, b: Fx) -> Fx {
+    if a < 0 { a.max(b).min(Fx::ZERO) } else { a.min(b).max(Fx::ZERO) }
+}
+
+/// The longer one of two motions.
+fn farther(a: Fx, b: Fx) -> Fx {
+    if a.unsigned_abs() < b.unsigned_abs() { b } else { a }
+}
+
+/// A speed, changed by at most `rate` toward another.
+fn toward(speed: Fx, target: Fx, rate: Fx) -> Fx {
+    if speed < target { speed.saturating_add(rate).min(target) } else { speed.saturating_sub(rate).max(target) }
+}
