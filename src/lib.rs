@@ -27,7 +27,7 @@
 //! let mut hero = Character::new(body, level.bounds(), Feel::DEFAULT);
 //! let mut flags = 0;
 //! while hero.body().max().x < 100 {
-//!     let step = hero.step(&level, Input { run: fx!(1.5), jump: false, drop: false })?;
+//!     let step = hero.step(&level, Input::running(fx!(1.5)))?;
 //!     assert_eq!(step.outcome, Outcome::Moved);
 //!     flags |= level.flags_touched(hero.body());
 //! }
@@ -107,7 +107,12 @@
 )]
 #![warn(clippy::unreachable, clippy::unwrap_used)]
 
-pub use {fixed, heapless};
+/// The crate of the scalar: [`Fx`] is [`fixed::types::I16F16`]. A new major version of it is one of
+/// this crate.
+pub use fixed;
+/// The crate of lists of results: [`heapless::Vec`]. A new major version of it is one of this
+/// crate.
+pub use heapless;
 
 #[allow(clippy::doc_markdown, reason = "names of boards")]
 #[doc = include_str!("boards.md")]
@@ -136,8 +141,9 @@ pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside};
 pub use scene::{Scene, SceneBody};
 pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
-/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
-/// come from the crate's root, and cursors and parts of results from the modules.
+/// The traits of the pair queries and of the broad phases: `use tilesat::prelude::*;`.
+///
+/// Import types from the crate root, and iterators and parts of results from their modules.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
     pub use crate::query::{

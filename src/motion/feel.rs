@@ -95,14 +95,17 @@ pub struct Feel {
     /// pulls the other way, and "up" follows.
     pub gravity: Fx,
     /// The fastest fall. Off a solid that sinks it is faster by the speed of the solid.
+    #[doc(alias("terminal_velocity", "max_fall_speed"))]
     pub fall: Fx,
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
     /// 2 in n frames.
+    #[doc(alias("jump_speed", "jump_velocity"))]
     pub jump: Fx,
     /// The speed that a rising jump keeps when the button is released. If it equals `jump`, all
     /// jumps are equally high.
     pub jump_cut: Fx,
     /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
+    #[doc(alias = "coyote_time")]
     pub coyote: u8,
     /// For how many more frames a press of the button counts, if it comes before the landing. Zero:
     /// only in the frame of the press. If the button is up again at the landing, the jump is cut

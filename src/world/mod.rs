@@ -54,6 +54,7 @@ mod joined;
 mod level;
 mod lines;
 mod measure;
+mod methods;
 mod placed;
 mod ray;
 mod rooms;

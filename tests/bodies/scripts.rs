@@ -174,6 +174,7 @@ impl<B: BroadPhase<Tag = SceneTag>, S: BodyShape + Into<WithCapsules>> Played<B,
                 }
                 SceneEvent::Level { body, .. } => named.push(key(body)),
                 SceneEvent::Held(error) => panic!("held: {error}"),
+                _ => {}
             })
             .unwrap();
         if lift != Vec2::ZERO {
