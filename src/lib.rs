@@ -28,7 +28,7 @@
 //! let mut hero = Character::new(body, level.bounds(), Feel::DEFAULT);
 //! let mut flags = 0;
 //! while hero.body().max().x < 100 {
-//!     let step = hero.step(&level, Input { run: fx!(1.5), jump: false, drop: false })?;
+//!     let step = hero.step(&level, Input::running(fx!(1.5)))?;
 //!     assert_eq!(step.outcome, Outcome::Moved);
 //!     flags |= level.flags_touched(hero.body());
 //! }
@@ -108,7 +108,12 @@
 )]
 #![warn(clippy::unreachable, clippy::unwrap_used)]
 
-pub use {fixed, heapless};
+/// The crate of the scalar: [`Fx`] is [`fixed::types::I16F16`]. A new major version of it is one of
+/// this crate.
+pub use fixed;
+/// The crate of lists of results: [`heapless::Vec`]. A new major version of it is one of this
+/// crate.
+pub use heapless;
 
 #[allow(clippy::doc_markdown, reason = "names of boards")]
 #[doc = include_str!("boards.md")]

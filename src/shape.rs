@@ -89,6 +89,7 @@ impl Aabb {
     /// assert_eq!((chest.min(), chest.max()), (Vec2::from_ints(45, 46), Vec2::from_ints(55, 54)));
     /// # Ok::<(), tilesat::RangeError>(())
     /// ```
+    #[doc(alias("from_center", "half_extents"))]
     pub const fn from_centre(centre: Vec2, half: Vec2) -> Result<Self, RangeError> {
         if let Err(e) = check_coordinate(centre) {
             return Err(e);
@@ -156,6 +157,7 @@ impl Aabb {
     /// The middle. If a side is an odd number of raw units, it is rounded toward the smaller
     /// coordinate.
     #[must_use]
+    #[doc(alias = "center")]
     pub const fn centre(&self) -> Vec2 {
         let (lo, hi) = (self.lo(), self.hi());
         Vec2::from_raw((lo.x + hi.x) >> 1, (lo.y + hi.y) >> 1)
@@ -244,6 +246,7 @@ impl Circle {
 
     /// The centre.
     #[must_use]
+    #[doc(alias = "center")]
     pub const fn centre(&self) -> Vec2 {
         self.centre
     }

@@ -24,7 +24,7 @@ use crate::world::World;
 ///
 /// let body = Aabb::new(Vec2::from_ints(20, 10), Vec2::from_ints(30, 24))?;
 /// let mut hero = Character::new(body, limits, Feel::DEFAULT);
-/// let right = Input { run: fx!(2), ..Input::default() };
+/// let right = Input::running(fx!(2));
 /// while hero.step(&level, right)?.outcome == Outcome::Moved {
 ///     // It lands, runs to the ledge, and falls.
 /// }
@@ -122,7 +122,7 @@ impl<B: Body> Character<B> {
     /// let body = Aabb::new(Vec2::from_ints(290, 16), Vec2::from_ints(300, 32))?;
     /// let mut hero = Character::new(body, room.map().bounds(), Feel::DEFAULT);
     /// for _ in 0..30 {
-    ///     let _ = hero.step(room.map(), Input { run: fx!(2), ..Input::default() })?;
+    ///     let _ = hero.step(room.map(), Input::running(fx!(2)))?;
     ///     if let Some((next, by)) = world.next(&room, hero.body().min()) {
     ///         hero.translate(by, next.map().bounds())?;
     ///         room = next;
@@ -163,7 +163,7 @@ impl<B: Body> Character<B> {
     /// let low = sized(&hero, fx!(14))?;
     /// assert!(hero.set_body(&level, low)); // it crouches
     /// for _ in 0..20 {
-    ///     let _ = hero.step(&level, Input { run: fx!(1), ..Input::default() })?;
+    ///     let _ = hero.step(&level, Input::running(fx!(1)))?;
     /// }
     /// let up = sized(&hero, fx!(24))?;
     /// assert!(!hero.set_body(&level, up)); // no room to stand up under the ceiling

@@ -96,14 +96,17 @@ pub struct Feel {
     /// negative one pulls toward smaller y, and "up" follows.
     pub gravity: Fx,
     /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid.
+    #[doc(alias("terminal_velocity", "max_fall_speed"))]
     pub fall: Fx,
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
     /// 2 in n frames.
+    #[doc(alias("jump_speed", "jump_velocity"))]
     pub jump: Fx,
     /// The speed that a rising jump keeps when the button is released. If it equals `jump`, all
     /// jumps are equally high.
     pub jump_cut: Fx,
     /// For how many frames the body can still jump after it walked off a floor or left a wall.
+    #[doc(alias = "coyote_time")]
     pub coyote: u8,
     /// For how many frames after a press the jump may still start. With zero, only in the frame of
     /// the press. If the button is already released at the landing, the jump is cut from its first

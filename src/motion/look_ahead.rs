@@ -89,7 +89,7 @@ impl<B: Body> Character<B> {
     /// // A unit for a frame, and at most a unit to brake.
     /// let (mut run, mut turns) = (fx!(1), 0);
     /// for _ in 0..400 {
-    ///     let step = enemy.step(&level, Input { run, ..Input::default() })?;
+    ///     let step = enemy.step(&level, Input::running(run))?;
     ///     if step.wall || enemy.ledge_ahead(&level, run * 2)? {
     ///         (run, turns) = (-run, turns + 1);
     ///     }

@@ -59,10 +59,10 @@
 //!
 //! For slow motion, take *fewer steps*, not smaller velocities. Half a velocity is rounded again,
 //! gravity would have to shrink with the square, and the run would differ. Between two steps, draw
-//! a point between two positions with [`Toi::of`](crate::Toi::of), and never move a body there.
+//! a point between two positions with [`Vec2::lerp`](crate::Vec2::lerp), and never move a body there.
 //!
 //! ```
-//! use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Toi, Vec2};
+//! use tilesat::{Aabb, Axis, Mover, Ratio, TileKind, TileKinds, TileMap, Vec2};
 //!
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("      \n      \n######\n", &KINDS)?;
@@ -83,8 +83,7 @@
 //!             time -= 60;
 //!             (before, now) = (now, step(now));
 //!         }
-//!         let part = Toi::from_raw(Toi::ONE.raw() / 60 * time).unwrap();
-//!         drawn = before.0.min() + part.of(now.0.min() - before.0.min()); // up to a step late, and smooth
+//!         drawn = before.0.min().lerp(now.0.min(), Ratio::new(time, 60).unwrap()); // up to a step late, and smooth
 //!     }
 //!     (now, drawn)
 //! };

@@ -11,6 +11,7 @@ use core::cmp::Ordering;
 /// those without do not. `ARMv8-M` baseline is the one exception: it uses the compiler's call,
 /// slower, with the same bits. So no build script is needed. `--cfg tilesat_split` sets it
 /// anywhere, so that the host's tests can run the code of those cores.
+#[doc(hidden)] // for this crate's tests
 pub const SPLIT: bool = cfg!(any(tilesat_split, all(target_arch = "arm", not(target_has_atomic = "32"))));
 
 /// True if a register holds a double word. Then products and comparisons cost less than the
@@ -83,6 +84,7 @@ const fn norm_words(a: i32, b: i32) -> u64 {
 }
 
 /// [`umul`] from four 16-bit products. `ARMv6-M` runs it; the tests call it everywhere.
+#[doc(hidden)] // for this crate's tests
 #[inline(never)]
 #[must_use]
 pub const fn umul_split(a: u32, b: u32) -> u64 {
@@ -96,6 +98,7 @@ pub const fn umul_split(a: u32, b: u32) -> u64 {
 
 /// [`imul`] from [`umul_split`]: a is its bits less 2^32 where it is negative, so the high word is
 /// less by b then, and likewise by a.
+#[doc(hidden)] // for this crate's tests
 #[inline]
 #[must_use]
 pub const fn imul_split(a: i32, b: i32) -> i64 {
@@ -105,6 +108,7 @@ pub const fn imul_split(a: i32, b: i32) -> i64 {
 }
 
 /// [`usqr`] from three 16-bit products.
+#[doc(hidden)] // for this crate's tests
 #[inline]
 #[must_use]
 pub const fn usqr_split(a: u32) -> u64 {

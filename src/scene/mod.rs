@@ -8,13 +8,12 @@
 //! [`Mover`](crate::Mover) moves each through the level. A scene is plain data.
 //!
 //! ```
-//! use tilesat::broad::SortSweep;
-//! use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
-//! use tilesat::{Aabb, Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
+//! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
+//! use tilesat::{Aabb, Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
 //!
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("#......#\n#......#\n########\n", &KINDS)?; // the floor is at y = 32
-//! let mut scene = Scene::<SortSweep<64, SceneTag>, 64>::new(SortSweep::new());
+//! let mut scene = SortSweepScene::<64>::empty();
 //! let crate_ = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(40, 22), Vec2::from_ints(50, 32))?, 1))?;
 //! let ball = scene.insert(&SceneBody::new(Circle::new(Vec2::from_ints(45, 10), Fx::from_num(4))?, 2))?;
 //!
@@ -127,11 +126,10 @@
 //! the number of fast bodies: flag bullets, crushers and the hero, not a crowd.
 //!
 //! ```
-//! use tilesat::broad::SortSweep;
-//! use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
-//! use tilesat::{Aabb, Circle, Fx, Scene, TileKinds, TileMap, Toi, Vec2};
+//! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
+//! use tilesat::{Aabb, Circle, Fx, TileKinds, TileMap, Toi, Vec2};
 //! let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
-//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let mut scene = SortSweepScene::<8>::empty();
 //! let wall = Aabb::new(Vec2::from_ints(50, -40), Vec2::from_ints(51, 40))?;
 //! let wall = scene.insert(&SceneBody::fixed(wall, 1))?;
 //! let bullet = SceneBody::new(Circle::new(Vec2::ZERO, Fx::from_num(2))?, 2);
@@ -174,12 +172,11 @@
 //! it, and is reported.
 //!
 //! ```
-//! use tilesat::broad::SortSweep;
-//! use tilesat::scene::{SceneBody, SceneTag};
-//! use tilesat::{Aabb, Fx, Ratio, Scene, Surface, TileKinds, TileMap, Vec2};
+//! use tilesat::scene::{SceneBody, SortSweepScene};
+//! use tilesat::{Aabb, Fx, Ratio, Surface, TileKinds, TileMap, Vec2};
 //! let level = TileMap::from_ascii("........\n........\n", &TileKinds::EMPTY)?;
 //! let at = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
-//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let mut scene = SortSweepScene::<8>::empty();
 //! let surface = Surface::new(Ratio::ZERO, Ratio::ONE); // friction, for both
 //! let velocity = Vec2::from_ints(1, -1);
 //! let mut way = at(10, 100, 24, 4)?;
@@ -206,13 +203,12 @@
 //! [`is_supported`](crate::Scene::is_supported) does.
 //!
 //! ```
-//! use tilesat::broad::SortSweep;
-//! use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape};
-//! use tilesat::{Aabb, Axis, Filter, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, Walker};
+//! use tilesat::scene::{SceneBody, SceneEvent, Shape, SortSweepScene};
+//! use tilesat::{Aabb, Axis, Filter, Mover, TileKind, TileKinds, TileMap, Vec2, Walker};
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("........\n........\n########", &KINDS)?; // the floor is at y = 32
 //! let at = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
-//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let mut scene = SortSweepScene::<8>::empty();
 //! let mut hero = at(4, 20, 8, 12)?;
 //! let body = scene.insert(&SceneBody { floats: true, ..SceneBody::new(hero, 1) })?;
 //! let box_ = scene.insert(&SceneBody::new(at(40, 22, 10, 10)?, 2))?;
@@ -248,10 +244,9 @@
 //! so for all. This works for every [set](crate::world::Set) of shapes.
 //!
 //! ```
-//! use tilesat::broad::SortSweep;
-//! use tilesat::scene::{SceneBody, SceneTag};
+//! use tilesat::scene::{SceneBody, SortSweepScene};
 //! use tilesat::world::Set;
-//! use tilesat::{AllShapes, Blocks, Circle, Scene, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
+//! use tilesat::{AllShapes, Blocks, Circle, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
 //! const CURTAIN: u8 = 1;
 //! const FENCE: u8 = 2;
 //! // The flags that knights, ghosts and arrows pass.
@@ -275,7 +270,7 @@
 //!     let tiles = TileMap::from_ascii(rows, &TileKinds::EMPTY)?;
 //!     let level = |kind: usize| tiles.with_kinds::<S>(&kinds[kind]);
 //!     let levels = [level(0)?, level(1)?, level(2)?];
-//!     let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//!     let mut scene = SortSweepScene::<8>::empty();
 //!     for key in 0..3 {
 //!         let ball = Circle::new(Vec2::from_ints(8, 8), fx!(4))?;
 //!         scene.insert(&SceneBody { velocity: Vec2::from_ints(100, 0), ..SceneBody::new(ball, key) })?;
@@ -300,12 +295,12 @@
 //! choose. [`Hit::approach`](crate::motion::Hit::approach) says how hard a hit was.
 //!
 //! ```
-//! use tilesat::broad::{Handle, PairEvent, PairEvents, SortSweep};
-//! use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
-//! use tilesat::{Aabb, Cell, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
+//! use tilesat::broad::{Handle, PairEvent, PairEvents};
+//! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
+//! use tilesat::{Aabb, Cell, Fx, TileKind, TileKinds, TileMap, Vec2};
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("...\n...\n...\n###", &KINDS)?; // the floor is at y = 48
-//! let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+//! let mut scene = SortSweepScene::<8>::empty();
 //! let crate_ = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(4, 4), Vec2::from_ints(12, 12))?, 1))?;
 //! let mut contacts = PairEvents::<16, (Handle, Cell)>::new();
 //! let (mut landings, mut hardest) = (0, Fx::ZERO);
@@ -375,7 +370,7 @@ pub use error::{SceneError, SceneFault};
 pub use event::{SceneEvent, Stepped};
 pub use kernel::BodyShape;
 pub use reply::{Answer, Reply};
-pub use set::{Scene, Sleep};
+pub use set::{Scene, Sleep, SortSweepScene};
 pub use shape::{Shape, WithCapsules};
 pub use snapshot::Snapshot;
 

@@ -4,7 +4,7 @@ use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
 use super::memory::Remembered;
 use super::{SceneBody, SceneError, Shape};
-use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair};
+use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair, SortSweep};
 use crate::filter::Filter;
 use crate::num::{Fx, MOTION, check_motion};
 
@@ -71,7 +71,8 @@ impl SleepDifference {
 /// Up to N bodies in a broad phase, moved through a level by one call per frame.
 ///
 /// `B` is any [`BroadPhase`] with [`SceneTag`](super::SceneTag)s and room for N bodies:
-/// `Scene<SortSweep<64, SceneTag>, 64>`. The [module](super) describes a step.
+/// `Scene<SortSweep<64, SceneTag>, 64>` is a [`SortSweepScene<64>`](super::SortSweepScene). The
+/// [module](super) describes a step.
 ///
 /// Plain data: a copy is a snapshot, and assigning it rolls back. A snapshot also needs the data
 /// that your game keeps beside it: its [`PairEvents`](crate::broad::PairEvents) and
@@ -110,6 +111,31 @@ pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
     /// How the bodies in the first slots lie, and beyond N the short motions of any.
     pub(super) memory: [Remembered; M],
     pub(crate) sleep: SleepDifference,
+}
+
+/// A [`Scene`] of up to N boxes and circles on a [`SortSweep`](crate::broad::SortSweep), as most
+/// games need it: begin with [`SortSweepScene::empty`](Scene::empty).
+///
+/// Write the type of [`Scene`] itself for another broad phase, for other shapes, or for a scene
+/// that [remembers](Scene::remembering).
+pub type SortSweepScene<const N: usize> = Scene<SortSweep<N, Keyed<Filter>>, N>;
+
+impl<const N: usize> SortSweepScene<N> {
+    /// A scene without bodies: [`new`](Self::new) on an empty broad phase. In a `static` it takes
+    /// no flash.
+    ///
+    /// ```
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Circle, Vec2, fx};
+    /// let mut scene = SortSweepScene::<64>::empty();
+    /// scene.insert(&SceneBody::new(Circle::new(Vec2::ZERO, fx!(4))?, 1))?;
+    /// assert_eq!(scene.bodies().count(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn empty() -> Self {
+        Self::new(SortSweep::new())
+    }
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, N, 0, S> {

@@ -116,6 +116,7 @@ impl OrientedBox {
     ///
     /// # Errors
     /// [`RangeError`] if the radius is negative or leads out of the [domain](crate::num::DOMAIN).
+    #[doc(alias("dilate", "expand", "rounded"))]
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);
@@ -148,6 +149,7 @@ impl OrientedBox {
 
     /// The middle.
     #[must_use]
+    #[doc(alias = "center")]
     pub const fn centre(&self) -> Vec2 {
         self.centre
     }

@@ -165,6 +165,7 @@ impl<const N: usize> ConvexPolygon<N> {
     ///
     /// # Errors
     /// [`RangeError`] if the radius is negative or leads out of the [domain](crate::num::DOMAIN).
+    #[doc(alias("dilate", "expand", "rounded"))]
     pub const fn with_radius(self, radius: Fx) -> Result<Self, RangeError> {
         if let Err(e) = check_radius(radius) {
             return Err(e);

@@ -1,11 +1,13 @@
-//! A level: the faces and vertices of its surface, which are all that motion uses; the trait by
-//! which movers use it; and the methods that every kind of level has.
+//! A level: the faces and vertices of its surface, which are all that motion uses, and the trait by
+//! which movers use it.
 
 use super::cell::{Block, Cell, Cells, Way};
 use super::convex::ConvexBody;
 use super::lines::{BlockHit, Lines};
+pub(in crate::world) use super::methods::{levels, meets_as_world};
 use super::tile_map::kind::Fill;
 use crate::num::{Axis, Raw, Vec2, imul};
+use crate::query::{Overlaps, Touches};
 use crate::shape::{Aabb, Circle};
 
 pub(crate) mod sealed {
@@ -197,8 +199,31 @@ impl Seen {
 ///
 /// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views
 /// of one set of points.
+///
+/// Code for any level asks about boxes and circles as about two shapes. For a body of another shape
+/// add a bound, `W: World + Overlaps<Capsule>`, which every level meets; for a body of a shape that
+/// is known only at run time, ask [`AnyShape::overlaps_level`](crate::shape::AnyShape::overlaps_level).
+///
+/// ```
+/// use tilesat::prelude::*;
+/// use tilesat::{Aabb, Blocks, Capsule, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World, fx};
+///
+/// /// Whether a crate fits here, and an upright hero on top of it.
+/// fn fits<W: World + Overlaps<Capsule>>(level: &W, at: &Aabb, hero: &Capsule) -> bool {
+///     !level.overlaps(at) && !level.overlaps(hero)
+/// }
+///
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let level = TileMap::<Blocks>::from_ascii("...\n...\n###", &KINDS)?; // the floor is at y = 32
+/// let at = Aabb::new(Vec2::from_ints(20, 22), Vec2::from_ints(30, 32))?;
+/// let hero = Capsule::new(Vec2::from_ints(25, 8), Vec2::from_ints(25, 18), fx!(4))?;
+/// assert!(fits(&level, &at, &hero));
+/// let lift = [Solid::new(Aabb::new(Vec2::from_ints(0, 10), Vec2::from_ints(48, 14))?, 1)?];
+/// assert!(!fits(&Joined::new(&level, &Solids::new(&lift)), &at, &hero));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[doc(alias("level", "map"))]
-pub trait World: sealed::Sealed {
+pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aabb> + Touches<Circle> {
     /// Whether all faces are along x or y and all corners a block's: then a mover links no code for
     /// others.
     #[doc(hidden)]
@@ -392,58 +417,3 @@ pub trait World: sealed::Sealed {
     /// Whether a circle has a point in common with the solid, borders included; exact.
     fn touches_circle(&self, c: &Circle) -> bool;
 }
-
-/// Methods by name, after the documentation of each:
-/// `levels! { [parameters] type { /// ... overlaps, ... } }`.
-macro_rules! levels {
-    ([$($parameters:tt)*] $level:ty { $($(#[$doc:meta])* $verb:ident,)* }) => {
-        impl<$($parameters)*> $level {
-            $($crate::world::level::levels! { @$verb $(#[$doc])* })*
-        }
-    };
-    (@overlaps $(#[$doc:meta])*) => {
-        $(#[$doc])*
-        #[inline]
-        #[must_use]
-        pub fn overlaps<Body>(&self, body: &Body) -> bool
-        where
-            Self: $crate::query::Overlaps<Body>,
-        {
-            $crate::query::Overlaps::overlaps(self, body)
-        }
-    };
-    (@touches $(#[$doc:meta])*) => {
-        $(#[$doc])*
-        #[inline]
-        #[must_use]
-        pub fn touches<Body>(&self, body: &Body) -> bool
-        where
-            Self: $crate::query::Touches<Body>,
-        {
-            $crate::query::Touches::touches(self, body)
-        }
-    };
-}
-pub(in crate::world) use levels;
-
-/// The traits of a level whose own tests are those of its [`World`](crate::world::World).
-macro_rules! meets_as_world {
-    ([$($parameters:tt)*] $level:ty) => {
-        $crate::world::level::meets_as_world! { @ [$($parameters)*] $level, Overlaps, overlaps, overlaps_aabb, overlaps_circle }
-        $crate::world::level::meets_as_world! { @ [$($parameters)*] $level, Touches, touches, touches_aabb, touches_circle }
-    };
-    (@ [$($parameters:tt)*] $level:ty, $verb:ident, $method:ident, $aabb:ident, $circle:ident) => {
-        impl<$($parameters)*> $crate::query::$verb<$crate::Aabb> for $level {
-            fn $method(&self, b: &$crate::Aabb) -> bool {
-                self.$aabb(b)
-            }
-        }
-
-        impl<$($parameters)*> $crate::query::$verb<$crate::Circle> for $level {
-            fn $method(&self, c: &$crate::Circle) -> bool {
-                self.$circle(c)
-            }
-        }
-    };
-}
-pub(in crate::world) use meets_as_world;

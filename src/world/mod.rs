@@ -55,6 +55,7 @@ mod joined;
 mod level;
 mod lines;
 mod measure;
+mod methods;
 mod placed;
 mod ray;
 mod rooms;

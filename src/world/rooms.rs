@@ -149,11 +149,16 @@ impl<'a, S: Set> Room<'a, S> {
     /// ```
     #[must_use]
     pub const fn in_world(&self, cell: Cell) -> (i32, i32) {
+        let (left, above) = self.apron_before();
+        (self.x.wrapping_add(cell.x as i32 - left), self.y.wrapping_add(cell.y as i32 - above))
+    }
+
+    /// The columns and rows of the apron before the first cell.
+    const fn apron_before(&self) -> (i32, i32) {
         // The origin is not above 0 and not below the domain.
         let Raw { x, y } = Raw::of(self.map.origin());
         let grid = &self.map.grid;
-        let (left, above) = (grid.quotient(x.unsigned_abs()) as i32, grid.quotient(y.unsigned_abs()) as i32);
-        (self.x.wrapping_add(cell.x as i32 - left), self.y.wrapping_add(cell.y as i32 - above))
+        (grid.quotient(x.unsigned_abs()) as i32, grid.quotient(y.unsigned_abs()) as i32)
     }
 
     /// The room of a slice that holds a point of this room. Also returns the vector to add to all
@@ -324,6 +329,43 @@ impl<'a, S: Set> Rooms<'a, S> {
                 Some(Room { map, x: x.first, y: y.first, width: x.own, height: y.own })
             }
             _ => None,
+        }
+    }
+
+    /// The room that holds a cell of the world, and that cell in the room's map: where a spawn or a
+    /// door of the world is. `None` beyond the world.
+    ///
+    /// Points of a world are cells, because a coordinate ends at 32768 units, and a world may not.
+    /// [`Grid::bounds_of`] gives the cell's box in the room's coordinates. It is the way back of
+    /// [`Room::in_world`].
+    ///
+    /// Cost: two 32-bit divisions and a [`room`](Self::room).
+    ///
+    /// ```
+    /// use tilesat::{Blocks, Cell, Rooms, TileKinds, Vec2, fx};
+    /// static KINDS: TileKinds = TileKinds::EMPTY;
+    /// let tiles = [0; 4800]; // 40 000 units of cells, in rooms of 320 with an apron of two cells
+    /// let world = Rooms::<Blocks>::of(&tiles, (2400, 2), fx!(16), &KINDS, (20, 2), 2)?;
+    /// let (room, cell) = world.at((2007, 1)).unwrap();
+    /// assert_eq!((room.first(), room.in_world(cell)), ((2000, 0), (2007, 1)));
+    /// let spawn = room.map().grid().bounds_of(cell).unwrap();
+    /// assert_eq!(spawn.min(), Vec2::from_ints(7 * 16, 16));
+    /// assert!(world.at((2400, 0)).is_none());
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    #[must_use]
+    pub const fn at(&self, cell: (i32, i32)) -> Option<(Room<'a, S>, Cell)> {
+        let (x, y) = cell;
+        if x < 0 || y < 0 || x >= self.world.0 as i32 || y >= self.world.1 as i32 {
+            return None;
+        }
+        match self.room(quotient(x as u16, self.room.0), quotient(y as u16, self.room.1)) {
+            Some(room) => {
+                let (left, above) = room.apron_before();
+                let cell = Cell::of(x.wrapping_sub(room.x) + left, y.wrapping_sub(room.y) + above);
+                Some((room, cell))
+            }
+            None => None,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::cell::{Block, Cells, Way};
 use super::convex::ConvexBody;
-use super::level::{Feature, MotionPiece, Seen, World, sealed};
+use super::level::{Feature, MotionPiece, Seen, World, meets_as_world, sealed};
 use super::lines::{BlockHit, Lines};
 use super::tile_map::kind::Fill;
 use crate::num::{Raw, Vec2};
@@ -97,6 +97,8 @@ impl<'w, W> Traced<'w, W> {
 }
 
 impl<W> sealed::Sealed for Traced<'_, W> {}
+
+meets_as_world! { [W: World] Traced<'_, W> }
 
 impl<W: World> World for Traced<'_, W> {
     const BLOCKS: bool = W::BLOCKS;

@@ -16,6 +16,19 @@ fn every_place_has_its_room() {
         let world = Rooms::<Blocks>::of(&tiles, (7, 5), CELL, &KINDS, (width, height), 2).unwrap();
         assert_eq!((world.columns(), world.rows()), (7u16.div_ceil(width), 5u16.div_ceil(height)));
         assert!(world.room(world.columns(), 0).is_none() && world.room(0, world.rows()).is_none());
+        // Every cell of the world and the ones around it: its room, and the way back.
+        for (x, y) in (-2..9).flat_map(|x| (-2..7).map(move |y| (x, y))) {
+            let inside = (0..7).contains(&x) && (0..5).contains(&y);
+            let at = world.at((x, y));
+            assert_eq!(at.is_some(), inside, "{x} {y}");
+            if let Some((room, cell)) = at {
+                let home = world.room(x as u16 / width, y as u16 / height).unwrap();
+                assert_eq!((room.first(), room.in_world(cell)), (home.first(), (x, y)));
+                let bounds = room.map().grid().bounds_of(cell).unwrap();
+                assert!(room.holds(bounds.min()) && room.holds(bounds.max() - Vec2::from_raw(1, 1)));
+                assert_eq!(room.map().tile(cell), Some(tiles[(y * 7 + x) as usize]));
+            }
+        }
         for (column, row) in (0..world.columns()).flat_map(|c| (0..world.rows()).map(move |r| (c, r))) {
             let room = world.room(column, row).unwrap();
             assert_eq!(room.first(), (i32::from(column * width), i32::from(row * height)));
@@ -62,6 +75,12 @@ fn sixty_five_thousand_cells() {
     assert_eq!((room.first(), room.width(), steps), ((65_200, 0), 335, 163));
     let wide = Rooms::<Blocks>::of(&tiles, (65_535, 3), Fx::lit("0.0625"), &KINDS, (32_767, 3), 0).unwrap();
     assert!(wide.room(u16::MAX, 0).is_none() && wide.room(2, 0).is_some_and(|room| room.width() == 1));
+    let last = world.at((65_534, 2)).map(|(room, cell)| (room.first(), room.in_world(cell), cell));
+    assert_eq!(last, Some(((65_200, 0), (65_534, 2), Cell::new(334 + 50, 2))));
+    for beyond in [(65_535, 0), (0, 3), (-1, 0), (0, -1), (i32::MIN, i32::MIN), (i32::MAX, i32::MAX), (65_536, 0)] {
+        assert!(world.at(beyond).is_none() && wide.at(beyond).is_none());
+    }
+    assert_eq!(wide.at((65_534, 1)).map(|(room, cell)| (room.first(), cell)), Some(((65_534, 0), Cell::new(0, 1))));
     // All coordinates, those beyond the domain too.
     for x in [i32::MIN, -(1 << 29), 1 << 29, i32::MAX] {
         let at = |place| world.next(&room, place).map(|(next, by)| next.holds(place + by));

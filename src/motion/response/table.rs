@@ -14,6 +14,9 @@ pub enum Response {
     /// Passes one-way faces, to drop through a platform, and slides along the solid.
     /// [`Moved::hits`](crate::Moved::hits) lists the first one-way face that it passes in a call.
     /// That face is neither floor, wall nor ceiling.
+    ///
+    /// Prefer [`Mover::with_drop_through`](crate::Mover::with_drop_through): it does the same with
+    /// every response.
     DropThrough,
     /// Bounces off the surface like a mirror image: exact at a face along x or y. Elsewhere
     /// rounding may take up to 2 raw units of speed. It never gains speed.

@@ -11,7 +11,7 @@ use core::marker::PhantomData;
 const CELL: Fx = Fx::from_bits(16 << 16);
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map of blocks from one byte per tile, row after row.
+    /// A map of blocks from bytes, row after row, in cells of 16 units.
     ///
     /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more
     /// than 511 cells per side do not fit the domain with cells of 16 units. For these, use
@@ -34,7 +34,9 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
         Self::at_origin(tiles, width, height, kinds)
     }
 
-    /// A map of blocks from one byte per tile, row after row, on a grid.
+    /// A map of blocks from bytes, row after row, on a grid.
+    ///
+    /// For slopes and arcs, use [`of`](TileMap::of).
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -44,8 +46,10 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bits> {
-    /// A map of blocks from one bit per tile, row after row without gaps. The least significant bit
-    /// of each byte comes first. A clear bit is id 0, and a set one is id 1.
+    /// A map of two kinds of blocks from bits, in cells of 16 units.
+    ///
+    /// One bit per tile, row after row without gaps, the least significant bit of each byte first.
+    /// A clear bit is id 0, a set one id 1.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
@@ -70,7 +74,7 @@ impl<'a> TileMap<'a, Blocks, Bits> {
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of any [`Set`] of shapes from one byte per tile, row after row, on a grid.
+    /// A map of any [`Set`] of shapes from bytes, row after row, on a grid.
     ///
     /// ```
     /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
@@ -93,8 +97,10 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
         Self::build(tiles, grid, grid.x.count, kinds)
     }
 
-    /// A map of any [`Set`] of shapes from one byte per tile, with cells of 16 x 16 units from the
-    /// origin: the short form of [`of`](Self::of).
+    /// A map of any [`Set`] of shapes from bytes, row after row, in cells of 16 units.
+    ///
+    /// The short form of [`of`](Self::of), as [`new`](TileMap::new) is that of
+    /// [`on_grid`](TileMap::on_grid).
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
@@ -247,8 +253,10 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map of blocks from lines of text of equal length, one character per tile. The characters
-    /// are the ids. A line feed may also end the last row. A line feed at the start would be an
+    /// A map of blocks from lines of text of one length, in cells of 16 units.
+    ///
+    /// For slopes and arcs, use [`of_ascii`](TileMap::of_ascii). One character per tile; the
+    /// characters are the ids. A line feed may end the last row too. One at the start would be an
     /// empty row: open a literal that begins on the next line with `"\`.
     ///
     /// Nothing is copied: the map reads the text, and skips the line feeds. In a constant, a
@@ -276,7 +284,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of any [`Set`] of shapes from lines of text of equal length, one character per tile.
+    /// A map of any [`Set`] of shapes from lines of text, in cells of 16 units.
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape};

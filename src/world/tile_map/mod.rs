@@ -56,7 +56,16 @@ pub enum Outside {
 ///
 /// `S` is the set of shapes that it can hold, such as [`Blocks`]. `T` is the storage of ids:
 /// [`Bytes`] or [`Bits`]. By default cells are squares of 16 units from the origin, rows are
-/// consecutive, and the outside is empty. You can change each:
+/// consecutive, and the outside is empty.
+///
+/// | you have | blocks and one-way tiles only | any set, as `TileMap::<Slopes>::of` | cells |
+/// |---|---|---|---|
+/// | bytes | [`new`](Self::new) | [`of_bytes`](Self::of_bytes) | 16 units, from the origin |
+/// | bytes and a [`Grid`] | [`on_grid`](Self::on_grid) | [`of`](Self::of) | the grid's |
+/// | text | [`from_ascii`](Self::from_ascii) | [`of_ascii`](Self::of_ascii) | 16 units, from the origin |
+/// | bits | [`from_bits`](Self::from_bits) | | 16 units, from the origin |
+///
+/// You can change each setting:
 ///
 /// ```
 /// use tilesat::{Cell, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, fx};

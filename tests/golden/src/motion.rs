@@ -84,15 +84,12 @@ impl<B: Body + Encode> Trip<B> {
             work.add(walked.moved.work);
         }
         self.velocity = Vec2::ZERO;
-        match moved {
-            Ok(moved) => {
-                self.body = moved.body;
-                let (x, y) = moved.velocity.raw();
-                // Keeps falling, but never so fast that it leaves the domain.
-                self.velocity = Vec2::from_raw(x.clamp(-UNIT * 8, UNIT * 8), y.clamp(-UNIT * 8, UNIT * 8) + UNIT / 16);
-                work.add(moved.work);
-            }
-            Err(_) => {}
+        if let Ok(moved) = moved {
+            self.body = moved.body;
+            let (x, y) = moved.velocity.raw();
+            // Keeps falling, but never so fast that it leaves the domain.
+            self.velocity = Vec2::from_raw(x.clamp(-UNIT * 8, UNIT * 8), y.clamp(-UNIT * 8, UNIT * 8) + UNIT / 16);
+            work.add(moved.work);
         }
     }
 }

@@ -147,6 +147,7 @@ fn solids() {
         |side: Side| side.normal();
         |list: &'static [Solid]| Solids::new(list).list();
         |cell: Cell| Solids::key_of(cell);
+        |grid: &Grid, cell: Cell| grid.bounds_of(cell);
     }
     levels!(Solids<'_>);
 }

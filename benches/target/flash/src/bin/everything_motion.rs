@@ -95,8 +95,9 @@ fn movers() {
         |w: &Walked<Aabb>| w.on_floor();
         |b: Aabb, limits: Aabb, feel: Feel| Character::new(b, limits, feel);
         |c: &mut Character, b: Aabb| c.place(b);
-        |c: &Character| (c.body(), c.floor(), c.on_floor(), c.ridden());
+        |c: &Character| (c.body(), c.floor(), c.on_floor(), c.ridden(), c.wall());
         |hit: Hit| Support::from(hit);
+        |hit: &Hit, floor: &Support| (hit.solid(), floor.solid());
         |m: &Moved<Aabb>| m.position();
         |m: &Moved<Circle>| m.position();
         |hits: &Hits| (hits.len(), hits.is_empty(), hits.first());

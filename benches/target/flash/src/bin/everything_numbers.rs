@@ -56,6 +56,12 @@ fn vectors() {
         |v: Vec2| v.length();
         |a: Vec2, b: Vec2| a.min(b);
         |a: Vec2, b: Vec2| a.max(b);
+        |v: Vec2, lo: Vec2, hi: Vec2| v.clamp(lo, hi);
+        |v: Vec2| (v.abs(), v.signum(), v.perp());
+        |a: Vec2, b: Vec2| a.distance(b);
+        |a: Vec2, b: Vec2, part: Ratio| a.lerp(b, part);
+        |v: Vec2| v.unit();
+        |v: Vec2| Axis::from(v);
         |a: Vec2, b: Vec2| a.saturating_add(b);
         |a: Vec2, b: Vec2| a + b;
         |a: Vec2, b: Vec2| a - b;
