@@ -109,6 +109,7 @@ mod look_ahead;
 mod memo;
 mod moved;
 mod mover;
+mod only_hit;
 mod order;
 mod plane;
 pub mod response {
