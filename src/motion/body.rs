@@ -269,6 +269,10 @@ pub(super) mod kernel {
         /// Whether it is within a distance of a segment. For a box, which is not rounded, the
         /// distance is along x and y.
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;
+        /// The same for segments along x or y, and points.
+        fn is_within_straight(&self, a: Raw, b: Raw, reach: i32) -> bool {
+            self.is_within(a, b, reach)
+        }
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
         /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels

@@ -44,23 +44,25 @@ pub(super) fn reaches(feature: &Feature, region: &Aabb) -> bool {
 
 /// Whether a body may reach a feature by a displacement of at most `distance` along x and y. Arcs
 /// are not tested closely.
-pub(super) fn may_reach<B: Body>(body: &B, feature: &Feature, distance: u32) -> bool {
+pub(super) fn may_reach<W: World, B: Body>(body: &B, feature: &Feature, distance: u32) -> bool {
+    let (a, b) = match feature.geometry {
+        Geometry::Face { a, dir, len, .. } => ends(Raw::of(a), dir, len),
+        Geometry::Vertex { p, .. } => (Raw::of(p), Raw::of(p)),
+        Geometry::Arc { .. } => return true,
+    };
     // The diagonal is shorter than twice the side.
-    let distance = distance as i32 * 2;
-    match feature.geometry {
-        Geometry::Face { a, dir, len, .. } => {
-            let (a, b) = ends(Raw::of(a), dir, len);
-            body.is_within(a, b, distance)
-        }
-        Geometry::Vertex { p, .. } => body.is_within(Raw::of(p), Raw::of(p), distance),
-        Geometry::Arc { .. } => true,
-    }
+    is_within(body, a, b, distance as i32 * 2, W::BLOCKS)
+}
+
+/// Whether a body is within a distance of a segment. `straight` says that it is along x or y.
+fn is_within<B: Body>(body: &B, a: Raw, b: Raw, distance: i32, straight: bool) -> bool {
+    if straight { body.is_within_straight(a, b, distance) } else { body.is_within(a, b, distance) }
 }
 
 /// Whether a body is within the rounding distance of a segment. The answer does not depend on how a
 /// face is cut.
-fn is_near<B: Body>(body: &B, a: Raw, b: Raw) -> bool {
-    body.is_within(a, b, REACH)
+fn is_near<B: Body>(body: &B, a: Raw, b: Raw, straight: bool) -> bool {
+    is_within(body, a, b, REACH, straight)
 }
 
 /// Whether the part of a rounded body nearest to a face is over the face, or beside it by at most 1
@@ -90,6 +92,9 @@ fn in_disc(m: Raw, r: i32) -> bool {
 /// visitor is called through a pointer: three copies took 1.5 KB of flash.
 #[inline]
 pub(super) fn touched<W: World, B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
+    if W::BLOCKS && !B::ANGULAR {
+        return touched_straight(body, feature, true, plane);
+    }
     (W::ARCS || !matches!(feature.geometry, Geometry::Arc { .. })) && touched_any(body, feature, plane)
 }
 
@@ -101,17 +106,17 @@ pub(super) fn touched_any<B: Body>(body: &B, feature: &Feature, plane: &mut dyn 
     } else if matches!(feature.geometry, Geometry::Arc { .. }) {
         touched_arc(body, feature, plane)
     } else {
-        touched_straight(body, feature, plane)
+        touched_straight(body, feature, false, plane)
     }
 }
 
-/// [`touched`] for a face or a vertex.
+/// [`touched`] for a face or a vertex. `straight` says that all faces are along x or y.
 #[inline]
-fn touched_straight<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
+fn touched_straight<B: Body>(body: &B, feature: &Feature, straight: bool, plane: &mut dyn FnMut(Plane)) -> bool {
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (a, end) = ends(Raw::of(a), dir, len);
-            let near = is_near(body, a, end);
+            let near = is_near(body, a, end, straight);
             if near {
                 let over = !B::MEETS_CORNERS || is_over(body, a, end, dir);
                 let bend = if over { Bend::Flat } else { Bend::End };
@@ -119,7 +124,7 @@ fn touched_straight<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(
             }
             near
         }
-        Geometry::Vertex { p, .. } => is_at_corner(body, Raw::of(p), plane),
+        Geometry::Vertex { p, .. } => is_at_corner(body, Raw::of(p), straight, plane),
         Geometry::Arc { .. } => false,
     }
 }
@@ -156,14 +161,15 @@ fn touched_arc<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane
     }
     // Beyond its ends an arc is a corner. For a circle the end of a pipe is also the end of a face,
     // or a cusp, which is a separate corner.
-    let mut corner =
-        |end: Raw| is_near(body, end, end) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, plane));
+    let mut corner = |end: Raw| {
+        is_near(body, end, end, false) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, false, plane))
+    };
     let (first, second) = (corner(along_x), corner(along_y));
     first || second
 }
 
-fn is_at_corner<B: Body>(body: &B, p: Raw, plane: &mut dyn FnMut(Plane)) -> bool {
-    let near = is_near(body, p, p);
+fn is_at_corner<B: Body>(body: &B, p: Raw, straight: bool, plane: &mut dyn FnMut(Plane)) -> bool {
+    let near = is_near(body, p, p, straight);
     if near && B::MEETS_CORNERS {
         let (lo, hi) = body.core_box();
         let nearest = Raw { x: p.x.max(lo.x).min(hi.x), y: p.y.max(lo.y).min(hi.y) };

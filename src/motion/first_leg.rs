@@ -1,15 +1,16 @@
 //! The first straight part of a motion that meets something.
 
-use super::body::{Body, Entry, is_by_lines};
+use super::body::{Body, is_by_lines};
 use super::mover::Mover;
+use super::only_hit::OnlyHit;
 use super::order::First;
 use super::plane::SurfaceRole;
-use super::response::{Law, Response};
-use super::run::{Run, check_inside};
+use super::response::Law;
+use super::run::{Run, check_inside, is_certain};
 use super::search::{Around, Search, piece_of};
 use super::{Hit, Hits, MoveError, Moved, Work};
-use crate::num::{Raw, Toi, Vec2};
-use crate::world::{Feature, World};
+use crate::num::{Raw, Vec2};
+use crate::world::World;
 
 impl<S: Law> Mover<S> {
     /// A separate function: most bodies fly, and need no stack for the rest.
@@ -30,7 +31,9 @@ impl<S: Law> Mover<S> {
             found.inside = world.starts_inside(&lines, &bounds);
             found.work.checks = 1;
             self.check_start(body, found.inside)?;
-            check_inside(&bounds, d)?;
+            if !lines.are_in_map() {
+                check_inside(&bounds, d)?;
+            }
             if let Some(hit) = &world.next_block(&mut lines, false, &mut found.work.features) {
                 first.take_block(world, hit);
             }
@@ -43,21 +46,35 @@ impl<S: Law> Mover<S> {
             search.find_first_in(world, pieces, d, &mut first);
             (found.work.features, found.guarded) = (search.features, search.guarded);
         }
-        if let Some((entry, feature)) = first.hit::<B, W>(body, d) {
-            if self.rests(d, entry, feature) {
-                let side = self.side(entry.normal);
-                return Ok(Moved {
-                    body: *body,
-                    velocity: Vec2::ZERO,
-                    remaining: Vec2::ZERO,
-                    hits: Hits::one(Hit::of(entry.normal, feature, Toi::ZERO)),
-                    floor: side == SurfaceRole::Floor,
-                    wall: side == SurfaceRole::Wall,
-                    ceiling: side == SurfaceRole::Ceiling,
-                    flags: feature.flags,
-                    work: found.work,
-                });
+        let known = if found.inside || found.guarded { None } else { Some(&*around) };
+        match first.hit::<B, W>(body, d) {
+            Some(hit) => {
+                if let Some(OnlyHit { toi, made, rest, v }) = self.only_hit(world, body, d, hit, known) {
+                    let (normal, feature) = (hit.0.normal, hit.1);
+                    debug_assert!(
+                        found.inside || !body.shifted(made.add(rest)).overlaps_world(world),
+                        "a place was taken for free"
+                    );
+                    let side = self.side(normal);
+                    found.work.iterations += u32::from(!rest.is_zero());
+                    return Ok(Moved {
+                        body: body.shifted(made.add(rest)),
+                        velocity: v.vec2(),
+                        remaining: Vec2::ZERO,
+                        hits: Hits::one(Hit::of(normal, feature, toi)),
+                        floor: side == SurfaceRole::Floor,
+                        wall: side == SurfaceRole::Wall,
+                        ceiling: side == SurfaceRole::Ceiling,
+                        flags: feature.flags,
+                        work: found.work,
+                    });
+                }
             }
+            None if known.is_some() && is_certain::<W, B>(body) => {
+                world.made(d);
+                return Ok(Moved { work: found.work, ..Moved::freely(body.shifted(d), velocity, 0) });
+            }
+            None => {}
         }
         self.go_on(world, body, velocity, around, &mut first, &found)
     }
@@ -82,27 +99,6 @@ impl<S: Law> Mover<S> {
         }
         run.end::<W>();
         moved.copied()
-    }
-
-    /// Whether a hit takes all of a motion and leaves nothing, as for most resting bodies. The
-    /// answer is that of [`respond`](Self::respond), found without the work that other hits need.
-    ///
-    /// The body touches the face, so it makes none of the motion. The motion is straight into the
-    /// face, so no part is left along it, for friction neither. A single plane along x or y leaves
-    /// nothing askew that could [wedge](Self::wedge) the body.
-    fn rests(&self, d: Raw, entry: &Entry, feature: &Feature) -> bool {
-        let Entry { num, normal, at_end, ref step, .. } = *entry;
-        let straight = (normal.x == 0 && d.x == 0) || (normal.y == 0 && d.y == 0);
-        num == 0
-            && step.is_none()
-            && !at_end
-            && straight
-            && !(feature.one_way && self.passes_one_way())
-            && match self.response_to(normal, feature, Toi::ZERO) {
-                Response::Touch => false,
-                Response::Slide | Response::DropThrough => true,
-                Response::Bounce => self.surface.surface().stops(d, normal),
-            }
     }
 }
 

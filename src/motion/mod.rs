@@ -108,6 +108,7 @@ mod look_ahead;
 mod memo;
 mod moved;
 mod mover;
+mod only_hit;
 mod order;
 mod plan;
 mod plane;

@@ -1,6 +1,7 @@
 //! The results of a motion, and its hits.
 
 use super::Body;
+use super::plane::SurfaceRole;
 use crate::error::{RangeError, Truncated};
 use crate::num::{Axis, Fx, Toi, Vec2};
 use crate::world::{Cell, Feature};
@@ -71,6 +72,15 @@ impl<B: Body> Moved<B> {
             to.hits.late = self.hits.late;
         }
         result
+    }
+
+    /// Notes that the body met a surface of this role.
+    pub(super) fn meet(&mut self, side: SurfaceRole) {
+        match side {
+            SurfaceRole::Floor => self.floor = true,
+            SurfaceRole::Wall => self.wall = true,
+            SurfaceRole::Ceiling => self.ceiling = true,
+        }
     }
 
     /// The new position: the centre of a circle, the minimum corner of a box.

@@ -35,13 +35,25 @@ impl SlopeLimit {
         // Mostly up is along an axis. Its length is then a factor of both products, and plays no
         // part.
         let (along, across) = if up.x == 0 {
-            (i64::from(if up.y < 0 { normal.y.wrapping_neg() } else { normal.y }), normal.x.into())
+            (if up.y < 0 { normal.y.wrapping_neg() } else { normal.y }, normal.x)
         } else if up.y == 0 {
-            (i64::from(if up.x < 0 { normal.x.wrapping_neg() } else { normal.x }), normal.y.into())
+            (if up.x < 0 { normal.x.wrapping_neg() } else { normal.x }, normal.y)
         } else {
-            // Both as one function.
-            (normal.dot(up), normal.perp().dot(up))
+            return self.of_parts(normal.dot(up), normal.perp().dot(up));
         };
+        if along == 0 {
+            SurfaceRole::Wall
+        } else if across != 0 {
+            self.of_parts(along.into(), across.into())
+        } else if along > 0 {
+            SurfaceRole::Floor
+        } else {
+            SurfaceRole::Ceiling
+        }
+    }
+
+    /// The same by the parts of the normal along up and across it, both as long as up.
+    fn of_parts(self, along: i64, across: i64) -> SurfaceRole {
         let (a, c) = (along.unsigned_abs(), across.unsigned_abs());
         // 45 degrees, the default, need no product.
         let is_steep = |a, c| {

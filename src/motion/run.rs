@@ -4,7 +4,8 @@
 use super::body::{Body, Entry};
 use super::contact::Plane;
 use super::order::First;
-use super::plane::{SurfaceRole, long, way};
+use super::plane::{into, long, project, way};
+use super::response::Smooth;
 use super::search::{Around, Search, hull};
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
@@ -200,12 +201,8 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     /// Makes a motion that meets nothing.
-    ///
-    /// Among tiles its end is certain: the sweeps are exact and the surface surrounds the solid. A
-    /// body that starts outside and hits nothing therefore ends outside. If not all tiles are
-    /// blocks, bodies without area are an exception: they may pass between two features.
     pub(super) fn arrive<W: World>(&mut self, world: &W, d: Raw) {
-        let certain = W::CERTAIN && (W::BLOCKS || margin(&self.moved.body.bounds()) == 0);
+        let certain = is_certain::<W, B>(&self.moved.body);
         self.take(world, d, certain);
     }
 
@@ -241,24 +238,8 @@ impl<'m, B: Body> Run<'m, B> {
     }
 
     /// The rest of the motion after the velocity changes.
-    ///
-    /// A component that is kept, dropped or reversed (by any face along the axes) changes the rest
-    /// of the motion exactly, without rounding. Any other component is the new velocity times the
-    /// remaining time.
     pub(super) fn turned(&self, to: Raw) -> Raw {
-        let rest = self.rest;
-        let component = |left: i32, was: i32, now: i32| {
-            if now == was {
-                left
-            } else if now == 0 {
-                0
-            } else if now == was.wrapping_neg() {
-                left.wrapping_neg()
-            } else {
-                rest.of_raw(now)
-            }
-        };
-        Raw { x: component(self.motion.x, self.v.x, to.x), y: component(self.motion.y, self.v.y, to.y) }
+        turned(self.motion, self.v, to, self.rest)
     }
 
     /// The displacement that the velocity makes in a part of the call's time.
@@ -274,14 +255,6 @@ impl<'m, B: Body> Run<'m, B> {
         (self.along, self.before) = (None, self.v);
     }
 
-    pub(super) fn meet(&mut self, side: SurfaceRole) {
-        match side {
-            SurfaceRole::Floor => self.moved.floor = true,
-            SurfaceRole::Wall => self.moved.wall = true,
-            SurfaceRole::Ceiling => self.moved.ceiling = true,
-        }
-    }
-
     /// The result, once the motion is made.
     pub(super) fn end<W: World>(&mut self) {
         let remaining = if W::ROUND { self.motion.add(self.made_in(self.after)) } else { self.motion };
@@ -295,6 +268,51 @@ impl<'m, B: Body> Run<'m, B> {
         self.moved.flags |= feature.flags;
         self.moved.hits.push(Hit::of(normal, feature, toi.max(last)));
     }
+}
+
+/// Whether the end of a motion that meets nothing is certain.
+///
+/// Among tiles it is: the sweeps are exact and the surface surrounds the solid. A body that starts
+/// outside and hits nothing therefore ends outside. If not all tiles are blocks, bodies without
+/// area are an exception: they may pass between two features.
+pub(super) fn is_certain<W: World, B: Body>(body: &B) -> bool {
+    W::CERTAIN && (W::BLOCKS || margin(&body.bounds()) == 0)
+}
+
+/// What is `left` of a motion after the velocity changes, in the `rest` of the time.
+///
+/// A component that is kept, dropped or reversed (by any face along the axes) changes the rest of
+/// the motion exactly, without rounding. Any other component is the new velocity times the
+/// remaining time.
+#[inline(never)]
+pub(super) fn turned(left: Raw, was: Raw, now: Raw, rest: Toi) -> Raw {
+    let component = |left: i32, was: i32, now: i32| {
+        if now == was {
+            left
+        } else if now == 0 {
+            0
+        } else if now == was.wrapping_neg() {
+            left.wrapping_neg()
+        } else {
+            rest.of_raw(now)
+        }
+    };
+    Raw { x: component(left.x, was.x, now.x), y: component(left.y, was.y, now.y) }
+}
+
+/// A motion along a plane. Along a slope of tiles it is exact to the last bit, and it enters no
+/// plane.
+///
+/// A motion enters a plane only because it was rounded toward zero, by less than a raw unit on each
+/// axis. It is moved back that far.
+pub(super) fn straightened<B: Body, W: World>(d: Raw, n: Axis) -> Raw {
+    if n.x == 0 || n.y == 0 {
+        return d;
+    }
+    if n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2 && !W::BLOCKS {
+        return project::<B, W, _>(d, n, &Smooth);
+    }
+    if into(d, n) < 0 { d.add(Raw { x: n.x.signum(), y: n.y.signum() }) } else { d }
 }
 
 /// The probes of the ways that led nowhere from a position.

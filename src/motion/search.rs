@@ -80,19 +80,11 @@ impl Around {
         Ok(u32::from(!self.is_empty() || !(inside || is_inside(&self.region))))
     }
 
-    /// The contents that a known region may have.
+    /// The contents that a known region may have. If its cells are known, only they count.
     pub(super) fn held_of(&self, region: &Aabb) -> Option<Held> {
-        if *region == self.region {
-            self.held_of_all()
-        } else {
-            Some(Held { bounds: self.held_in(region)?, cells: None })
-        }
-    }
-
-    /// The contents that all of the known region may have. If its cells are known, only they count.
-    pub(super) fn held_of_all(&self) -> Option<Held> {
-        let bounds = if self.seen.cells.is_some() { self.seen.held? } else { self.held_in(&self.region)? };
-        Some(Held { bounds, cells: self.seen.cells })
+        let cells = if *region == self.region { self.seen.cells } else { None };
+        let bounds = if cells.is_some() { self.seen.held } else { self.held_in(region) };
+        Some(Held { bounds: bounds?, cells })
     }
 
     /// The cells in all of the known region, if they are known and there are any.
@@ -130,6 +122,13 @@ impl Around {
         let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (self.region.lo(), self.region.hi()));
         a.x >= lo.x && b.x <= hi.x && a.y >= lo.y && b.y <= hi.y
     }
+}
+
+/// Whether a region is in a grid and holds something in exactly one of its cells.
+pub(super) fn holds_one<W: World>(world: &W, region: &Aabb) -> bool {
+    // A constant would be cleared by a call.
+    let mut seen = Seen { held: None, cells: None };
+    world.look(region, None, &mut seen) && seen.cells.is_some_and(|cells| cells.is_one())
 }
 
 /// Whether a box is inside the domain.
@@ -174,26 +173,16 @@ impl<'a, B: Body> Search<'a, B> {
             return self.find_by_lines(world, d, first);
         }
         let bounds = self.body.bounds();
-        match pieces(world, &bounds, d) {
-            1 => {
-                let region = self.around.look(world, &self.body.bounds(), Raw::ZERO, d, 1);
-                self.meet(world, self.around.held_of(&region).as_ref(), None, d, first);
-            }
-            pieces => self.find_in_pieces(world, pieces, d, first),
-        }
+        self.find_in_pieces(world, pieces(world, &bounds, d), d, first);
         self.find_cusp(world, d, first);
     }
 
     /// [`find_first`](Self::find_first) for a motion in `pieces` pieces. If it is one, the level
     /// has been looked at.
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
-        if pieces == 1 {
-            match self.around.known_cells() {
-                Some(mut cells) if W::GRID => self.meet_cells(world, &mut cells, d, first),
-                _ => self.meet(world, self.around.held_of_all().as_ref(), None, d, first),
-            }
-        } else {
-            self.find_in_pieces(world, pieces, d, first);
+        match self.around.known_cells() {
+            Some(mut cells) if W::GRID && pieces == 1 => self.meet_cells(world, &mut cells, d, first),
+            _ => self.find_in_pieces(world, pieces, d, first),
         }
         self.find_cusp(world, d, first);
     }

@@ -6,7 +6,7 @@ use super::contact::{Bend, Came, Plane, came, touched};
 use super::order::First;
 use super::plane::{NEAR, SurfaceRole, across, into, long, may_be_askew, project, reflect, way};
 use super::response::{Law, Smooth};
-use super::run::{Run, check_inside, margin};
+use super::run::{Run, check_inside, margin, straightened};
 use super::ways::{Way, Ways};
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, mul_div, umul};
@@ -48,7 +48,7 @@ impl<S: Law> Mover<S> {
             return None;
         }
         let side = self.side(normal);
-        run.meet(side);
+        run.moved.meet(side);
         Some(side)
     }
 
@@ -341,20 +341,9 @@ impl<B: Body> Run<'_, B> {
         v
     }
 
-    /// The rest of the motion at a velocity along a plane. Along a slope of tiles it is exact to
-    /// the last bit, and it enters no plane.
-    ///
-    /// A motion enters a plane only because it was rounded toward zero, by less than a raw unit on
-    /// each axis. It is moved back that far.
+    /// The rest of the motion at a velocity along a plane.
     fn along_plane<W: World>(&self, v: Raw, along: Option<Plane>) -> Raw {
         let d = self.turned(v);
-        let Some(Plane { normal: n, .. }) = along else { return d };
-        if n.x == 0 || n.y == 0 {
-            return d;
-        }
-        if n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2 && !W::BLOCKS {
-            return project::<B, W, _>(d, n, &Smooth);
-        }
-        if into(d, n) < 0 { d.add(Raw { x: n.x.signum(), y: n.y.signum() }) } else { d }
+        along.map_or(d, |plane| straightened::<B, W>(d, plane.normal))
     }
 }

@@ -178,6 +178,12 @@ impl Kernel for Circle {
         meet::circle_segment::<true>(self.c(), self.r().wrapping_add(reach), a, b)
     }
 
+    fn is_within_straight(&self, a: Raw, b: Raw, reach: i32) -> bool {
+        let lo = Raw { x: a.x.min(b.x), y: a.y.min(b.y) };
+        let hi = Raw { x: a.x.max(b.x), y: a.y.max(b.y) };
+        meet::circle_aabb::<true>(self.c(), self.r().wrapping_add(reach), lo, hi)
+    }
+
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
         world.overlaps_circle(self)
     }

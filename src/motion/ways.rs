@@ -226,7 +226,7 @@ impl Ways {
                 alone = false;
                 self.consider::<W, B>(plane, v, time);
             });
-            if touches || may_reach(body, feature, FAR + 1) {
+            if touches || may_reach::<W, B>(body, feature, FAR + 1) {
                 self.near.push(feature);
                 alone &= touches;
             }

@@ -81,18 +81,8 @@ impl Range {
     }
 
     #[inline]
-    pub(in crate::world) const fn has_row(&self, y: i32) -> bool {
-        self.y0 <= y && y <= self.y1
-    }
-
-    /// The columns, less those of a range that begins before them or ends after them.
-    #[inline(never)]
-    pub(in crate::world) const fn row_without(&self, seen: &Self) -> (i32, i32) {
-        if seen.x0 <= self.x0 {
-            (if seen.x1 < self.x0 { self.x0 } else { seen.x1.wrapping_add(1) }, self.x1)
-        } else {
-            (self.x0, if seen.x1 < self.x1 || seen.x0 > self.x1 { self.x1 } else { seen.x0.wrapping_sub(1) })
-        }
+    pub(in crate::world) const fn holds(&self, x: i32, y: i32) -> bool {
+        self.x0 <= x && x <= self.x1 && self.y0 <= y && y <= self.y1
     }
 }
 
@@ -120,6 +110,11 @@ impl Cells {
 
     pub(in crate::world) const fn of(range: Range) -> Self {
         Self { x: range.x0, y: range.y0, range }
+    }
+
+    /// Whether it is a single cell.
+    pub(crate) const fn is_one(&self) -> bool {
+        self.range.cells() == 1
     }
 }
 

@@ -72,6 +72,12 @@ impl Lines {
         Self { x: none, y: none, in_map: false }
     };
 
+    /// Whether all of the way is in the map, and so in the domain.
+    #[inline]
+    pub(crate) const fn are_in_map(&self) -> bool {
+        self.in_map
+    }
+
     /// Which axis has the next line, or both at once. `None` after the last one.
     #[inline]
     pub(in crate::world) fn next(&self) -> Option<Ordering> {

@@ -17,6 +17,7 @@ mod arcs;
 mod block_lines;
 mod convex;
 mod convex_arcs;
+mod only_hit;
 mod order;
 mod polygons;
 mod sides;

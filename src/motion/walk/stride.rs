@@ -169,7 +169,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             return true;
         }
         self.run.record(entry.normal, feature, Toi::clamped(toi));
-        self.run.meet(side);
+        self.run.moved.meet(side);
         match side {
             SurfaceRole::Floor => {
                 if let Some((end, left)) = self.ahead.take().filter(|_| way(made) <= NEAR) {

@@ -1,11 +1,11 @@
 //! The surface of a level, derived from its tiles on request.
 
-use super::surface::{CellQuery, CellSurface, CellWalk, TileSource};
+use super::surface::{CellQuery, CellSurface, TileSource};
 use super::{Set, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::Aabb;
-use crate::world::cell::{Block, Range};
-use crate::world::level::{Feature, MotionPiece};
+use crate::world::cell::{Block, Cells, Range};
+use crate::world::level::{Feature, MotionPiece, World};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
@@ -83,14 +83,14 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     pub(super) const fn features_for(&self, look: &CellQuery) -> Features<'_, S, T> {
         let ((lo, hi), one) = (look.region, Raw { x: 1, y: 1 });
-        let range = self.solid_range_of(lo.sub(one), hi.add(one));
-        Features { map: self, look: *look, walk: self.walk_of(range, Range::NONE), surface: S::CellSurface::NONE }
+        let cells = Cells::of(self.solid_range_of(lo.sub(one), hi.add(one)));
+        Features { map: self, look: *look, cells, seen: Range::NONE, surface: S::CellSurface::NONE }
     }
 
     /// A cursor for the features of a query, at no cell yet.
     #[inline]
     pub(super) const fn features_of(&self, look: &CellQuery) -> Features<'_, S, T> {
-        Features { map: self, look: *look, walk: CellWalk::NONE, surface: S::CellSurface::NONE }
+        Features { map: self, look: *look, cells: Cells::NONE, seen: Range::NONE, surface: S::CellSurface::NONE }
     }
 
     /// Those of the features that a motion could run into, of the cells that a piece of it reaches
@@ -98,20 +98,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///
     /// A body whose inside enters a solid meets its border in a cell that its inside enters.
     pub(in crate::world) const fn features_ahead(&self, way: &MotionPiece) -> Features<'_, S, T> {
-        let range = match way.cells {
-            Some(cells) => cells.range,
-            None => self.solid_range(self.open_range(way.piece.lo(), way.piece.hi())),
+        let cells = match way.cells {
+            Some(cells) => cells,
+            None => self.cells(way.piece),
         };
         let seen = match way.before {
-            Some(before) => self.solid_range(self.open_range(before.lo(), before.hi())),
+            Some(before) => self.cells(before).range,
             None => Range::NONE,
         };
-        Features {
-            map: self,
-            look: CellQuery::ahead(way),
-            walk: self.walk_of(range, seen),
-            surface: S::CellSurface::NONE,
-        }
+        Features { map: self, look: CellQuery::ahead(way), cells, seen, surface: S::CellSurface::NONE }
     }
 }
 
@@ -121,8 +116,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 pub struct Features<'w, S: Set, T: Store> {
     pub(crate) map: &'w TileMap<'w, S, T>,
     look: CellQuery,
-    walk: CellWalk,
-    /// The features of the cell that the walk has reached.
+    cells: Cells,
+    /// Cells that are passed over.
+    seen: Range,
+    /// The features of the current cell.
     surface: S::CellSurface,
 }
 
@@ -134,24 +131,21 @@ impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
             if let Some(feature) = self.next_here() {
                 return Some(feature);
             }
-            if !self.map.walk(&mut self.walk) {
-                return None;
+            let block = &self.map.next_cell(&mut self.cells)?;
+            if !self.seen.holds(block.x, block.y) {
+                self.surface.load(self.map, block, &self.look);
             }
-            self.surface.load(self.map, &self.walk, &self.look);
         }
     }
 }
 
 impl<S: Set, T: Store> Features<'_, S, T> {
-    /// Starts the features of a cell, for a walk that has ended.
+    /// Goes to the features of a cell; the cell before is over.
     pub(super) fn enter(&mut self, block: &Block) {
-        let Block { x, y, kind, .. } = *block;
-        let in_map = self.map.holds(x, y);
-        self.walk = CellWalk { x, y, kind, in_map, last: x, ..self.walk };
-        self.surface.load(self.map, &self.walk, &self.look);
+        self.surface.load(self.map, block, &self.look);
     }
 
-    /// The next feature of the cell that the walk has reached.
+    /// The next feature of the current cell.
     #[inline]
     pub(super) fn next_here(&mut self) -> Option<Feature> {
         while !self.surface.is_over() {
@@ -161,83 +155,6 @@ impl<S: Set, T: Store> Features<'_, S, T> {
         }
         None
     }
-}
-
-impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// A walk over the cells of a range, less those of a box that the range has left.
-    #[inline]
-    pub(super) const fn walk_of(&self, range: Range, seen: Range) -> CellWalk {
-        let in_map = self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1);
-        // Before the first row, which has no columns left.
-        let y = range.y0.wrapping_sub(1);
-        CellWalk { x: 0, y, kind: TileKind::EMPTY, tile: 0, in_map, last: -1, range, seen }
-    }
-
-    /// Continues with the next cell of a walk that has a shape; false if none is left.
-    #[inline(never)]
-    pub(super) const fn walk(&self, walk: &mut CellWalk) -> bool {
-        if !walk.in_map {
-            return self.walk_beyond(walk);
-        }
-        let (mut x, mut y, mut last, mut tile) = (walk.x, walk.y, walk.last, walk.tile);
-        loop {
-            while x < last {
-                (x, tile) = (x.wrapping_add(1), tile.wrapping_add(1));
-                if T::OCCUPIED {
-                    let next = self.next_occupied(x, last, y);
-                    if next > last {
-                        break;
-                    }
-                    (x, tile) = (next, tile.wrapping_add(next.wrapping_sub(x) as u32));
-                }
-                let id = self.id_at(tile);
-                if !self.kinds.is_empty(id) {
-                    (walk.x, walk.y, walk.last, walk.tile) = (x, y, last, tile);
-                    walk.kind = self.kinds.get(id);
-                    return true;
-                }
-            }
-            if y >= walk.range.y1 {
-                return false;
-            }
-            y = y.wrapping_add(1);
-            (x, last) = before_row(walk, y);
-            tile = self.place(x, y);
-        }
-    }
-
-    /// [`walk`](Self::walk) for a range that is partly outside the map.
-    #[inline(never)]
-    const fn walk_beyond(&self, walk: &mut CellWalk) -> bool {
-        loop {
-            while walk.x < walk.last {
-                walk.x = walk.x.wrapping_add(1);
-                walk.kind = self.kind_at(walk.x, walk.y);
-                if !walk.kind.is_empty() {
-                    return true;
-                }
-            }
-            if walk.y >= walk.range.y1 {
-                return false;
-            }
-            walk.y = walk.y.wrapping_add(1);
-            (walk.x, walk.last) = before_row(walk, walk.y);
-        }
-    }
-
-    /// The corners of the cell that a walk has reached.
-    #[inline]
-    pub(super) const fn corners(&self, walk: &CellWalk) -> (Raw, Raw) {
-        if S::SHAPED && walk.in_map { self.grid.square(walk.x, walk.y) } else { self.extent(walk.x, walk.y) }
-    }
-}
-
-/// The column before the first one of a row of a walk, and the last.
-#[inline]
-const fn before_row(walk: &CellWalk, y: i32) -> (i32, i32) {
-    let range = &walk.range;
-    let (x, last) = if walk.seen.has_row(y) { range.row_without(&walk.seen) } else { (range.x0, range.x1) };
-    (x.wrapping_sub(1), last)
 }
 
 impl<S: Set, T: Store> TileSource for TileMap<'_, S, T> {
@@ -274,7 +191,7 @@ impl<S: Set, T: Store> TileSource for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn corners(&self, walk: &CellWalk) -> (Raw, Raw) {
-        TileMap::corners(self, walk)
+    fn corners(&self, block: &Block) -> (Raw, Raw) {
+        World::corners(self, block)
     }
 }

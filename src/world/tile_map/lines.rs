@@ -121,7 +121,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let (x, y) = (&lines.x, &lines.y);
         let (x0, x1) = if x.step < 0 { (x.lead, x.rear) } else { (x.rear, x.lead) };
         let (y0, y1) = if y.step < 0 { (y.lead, y.rear) } else { (y.rear, y.lead) };
-        self.any_full_in_map(Range { x0, y0, x1, y1 }, |_| true)
+        self.any_full_in_map(Range { x0, y0, x1, y1 }, |_, _| true)
     }
 
     /// The hit at the next line that has one. Counts the lines.

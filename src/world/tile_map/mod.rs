@@ -5,6 +5,7 @@ mod build;
 mod clear;
 mod convex;
 pub(in crate::world) mod features;
+mod full;
 pub(in crate::world) mod kind;
 pub(in crate::world) mod level;
 mod lines;

@@ -4,7 +4,7 @@
 //! corner.
 
 use super::outline::{Form, FormKind};
-use super::{Outside, Set, Store, TileMap};
+use super::{Set, Store, TileMap};
 use crate::num::{LONG, Raw, usqr};
 use crate::query::meet::{gap, in_disc};
 use crate::query::{Overlaps, Touches, meet};
@@ -68,84 +68,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if lo.x == hi.x || lo.y == hi.y {
             return self.thin_overlaps_blocks(lo, hi);
         }
-        self.any_full(self.solid_range_of(lo, hi), |_| true)
-    }
-
-    /// A side of length zero on a cell's border is inside the solid only if the cells on both sides
-    /// are full: then the open range is reversed, and starts at the first of the two.
-    #[inline(never)]
-    const fn thin_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
-        let mut range = self.open_range(lo, hi);
-        let (mut pair_x, mut pair_y) = (0, 0);
-        if lo.x == hi.x {
-            pair_x = range.x0.wrapping_sub(range.x1);
-            range.x0 = range.x1;
-        }
-        if lo.y == hi.y {
-            pair_y = range.y0.wrapping_sub(range.y1);
-            range.y0 = range.y1;
-        }
-        if pair_x == 0 && pair_y == 0 {
-            range = self.solid_range(range);
-        }
-        let mut y = range.y0;
-        while y <= range.y1 {
-            let mut x = range.x0;
-            while x <= range.x1 {
-                if self.full(x, y)
-                    && self.full(x.wrapping_add(pair_x), y)
-                    && self.full(x, y.wrapping_add(pair_y))
-                    && self.full(x.wrapping_add(pair_x), y.wrapping_add(pair_y))
-                {
-                    return true;
-                }
-                x = x.wrapping_add(1);
-            }
-            y = y.wrapping_add(1);
-        }
-        false
-    }
-
-    /// Whether a full cell of a range passes a test of its corners.
-    #[inline]
-    pub(super) fn any_full(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
-        if !(self.holds(range.x0, range.y0) && self.holds(range.x1, range.y1)) {
-            let mut walk = self.walk_of(range, Range::NONE);
-            while self.walk(&mut walk) {
-                if walk.kind.is_full() && test(self.extent(walk.x, walk.y)) {
-                    return true;
-                }
-            }
-            return false;
-        }
-        self.any_full_in_map(range, test)
-    }
-
-    /// [`any_full`](Self::any_full) for a range in the map.
-    #[inline(always)]
-    pub(super) fn any_full_in_map(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
-        let is_square = !matches!(self.outside, Outside::Edge);
-        let (mut y, mut rows) = (range.y0, self.occupied_rows(range.x0, range.x1, range.y0));
-        while y <= range.y1 {
-            let (mut x, row) = (range.x0, self.place(0, y));
-            if T::OCCUPIED {
-                x = self.first_occupied(&rows, x, range.x1);
-                rows.step();
-            }
-            while x <= range.x1 {
-                if self.kinds.get(self.id_at(row.wrapping_add(x as u32))).is_full()
-                    && test(if is_square { self.grid.square(x, y) } else { self.extent(x, y) })
-                {
-                    return true;
-                }
-                x = x.wrapping_add(1);
-                if T::OCCUPIED && x <= range.x1 {
-                    x = self.next_occupied(x, range.x1, y);
-                }
-            }
-            y = y.wrapping_add(1);
-        }
-        false
+        self.has_full(self.solid_range_of(lo, hi))
     }
 
     fn circle_meets<const CLOSED: bool>(&self, c: Raw, r: i32, range: Range) -> bool {
@@ -244,7 +167,7 @@ impl<S: Set, T: Store> Overlaps<Circle> for TileMap<'_, S, T> {
         // Without a second look whether the range is in the map: a tenth fewer instructions.
         if LONG && !S::SHAPED {
             if let Some(range) = self.range_inside(lo, hi) {
-                return self.any_full_in_map(range, |(lo, hi)| meet::circle_aabb::<false>(c, r, lo, hi));
+                return self.any_full_square(range, |(lo, hi)| meet::circle_aabb::<false>(c, r, lo, hi));
             }
         }
         self.circle_meets::<false>(c, r, self.solid_range_of(lo, hi))
@@ -258,7 +181,7 @@ impl<S: Set, T: Store> Touches<Aabb> for TileMap<'_, S, T> {
         if S::SHAPED {
             return self.any_solid(range, |solid| solid.meets_box::<S, true>(lo, hi));
         }
-        self.any_full(range, |_| true)
+        self.has_full(range)
     }
 }
 

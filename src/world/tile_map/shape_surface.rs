@@ -2,9 +2,9 @@
 //! their neighbours.
 
 use super::outline::{Form, InnerKind, Outline, Piece, direction, gaps, place};
-use super::surface::{CellQuery, CellSurface, CellWalk, TileSource};
+use super::surface::{CellQuery, CellSurface, TileSource};
 use crate::num::{Axis, Raw};
-use crate::world::cell::Cell;
+use crate::world::cell::{Block, Cell};
 use crate::world::level::{Feature, Geometry};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
@@ -84,8 +84,8 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
     }
 
     #[inline(never)]
-    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &CellQuery) {
-        let CellWalk { x, y, kind, .. } = *walk;
+    fn load<M: TileSource>(&mut self, map: &M, block: &Block, look: &CellQuery) {
+        let Block { x, y, kind } = *block;
         let outline = kind.shape.outline();
         let edges = match kind.one_way_side() {
             Some(side) => 3 << (2 * side),
@@ -102,7 +102,7 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
         if self.left == 0 {
             return;
         }
-        let corners = map.corners(walk);
+        let corners = map.corners(block);
         self.left &= reached(corners, look.region);
         (self.index, self.outs) = (0, 0);
         self.tile = Some(Tile { kind, outline, cell: Cell::of(x, y), lines: NodeLines::of(corners), faces, beside });

@@ -3,44 +3,10 @@
 
 use crate::num::{Axis, DOMAIN, Raw};
 use crate::shape::Aabb;
-use crate::world::cell::{Cell, Range};
+use crate::world::cell::{Block, Cell};
 use crate::world::level::{Feature, Geometry, MotionPiece};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 use core::fmt::Debug;
-
-/// A walk over the cells of a range, row after row.
-///
-/// Public in a private module, because a sealed trait names it.
-#[derive(Clone, Copy, Debug)]
-pub struct CellWalk {
-    /// The cell that it has reached.
-    pub(super) x: i32,
-    pub(super) y: i32,
-    /// Its kind.
-    pub(super) kind: TileKind,
-    /// Its place in the map's data, where all of the range is in the map.
-    pub(super) tile: u32,
-    pub(super) in_map: bool,
-    /// The last column of its row.
-    pub(super) last: i32,
-    pub(super) range: Range,
-    /// Cells that are passed over: those of a box that `range` has left.
-    pub(super) seen: Range,
-}
-
-impl CellWalk {
-    /// That of no cell.
-    pub(super) const NONE: Self = Self {
-        x: 0,
-        y: 0,
-        kind: TileKind::EMPTY,
-        tile: 0,
-        in_map: false,
-        last: 0,
-        range: Range::NONE,
-        seen: Range::NONE,
-    };
-}
 
 /// The wanted part of a cell's surface.
 ///
@@ -106,8 +72,8 @@ pub trait TileSource {
     /// The corners of a cell with the band that it stands for.
     fn extent(&self, x: i32, y: i32) -> (Raw, Raw);
 
-    /// The corners of the cell that a walk has reached.
-    fn corners(&self, walk: &CellWalk) -> (Raw, Raw);
+    /// The same of a cell of this kind.
+    fn corners(&self, block: &Block) -> (Raw, Raw);
 }
 
 /// The features of one cell, found when asked.
@@ -120,9 +86,8 @@ pub trait CellSurface: Clone + Debug {
     /// Whether nothing is left to give.
     fn is_over(&self) -> bool;
 
-    /// Continues with the cell that a walk over the closed range of the region has reached; the
-    /// cell before is done.
-    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &CellQuery);
+    /// Goes on to a cell of the closed range of the region; the cell before is over.
+    fn load<M: TileSource>(&mut self, map: &M, block: &Block, look: &CellQuery);
 
     /// The next of the remaining ones, if it is wanted.
     fn take<M: TileSource>(&mut self, map: &M, look: &CellQuery) -> Option<Feature>;
@@ -160,10 +125,10 @@ impl CellSurface for BlockSurface {
     }
 
     #[inline]
-    fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &CellQuery) {
-        let CellWalk { x, y, kind, .. } = *walk;
+    fn load<M: TileSource>(&mut self, map: &M, block: &Block, look: &CellQuery) {
+        let Block { x, y, kind } = *block;
         if kind.is_full() {
-            self.solid = map.corners(walk);
+            self.solid = map.corners(block);
             let asked = self.asked(look);
             if asked == 0 {
                 return;
