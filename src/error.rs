@@ -1,4 +1,14 @@
 //! The errors that several modules share: small values that say what and where.
+//!
+//! An error that wraps another one prints it as a part of its own message, because a chip logs one
+//! line. So [`source`](core::error::Error::source) is `None` everywhere, and a report that prints
+//! the chain of causes repeats nothing. Match the variant to get the inner error.
+//!
+//! Enums of errors and of a scene's events are `non_exhaustive`: a later version may refuse more,
+//! or report more. Enums that a game acts on are complete: [`Outcome`](crate::Outcome),
+//! [`Ride`](crate::motion::Ride), [`PairEvent`](crate::broad::PairEvent),
+//! [`PairsError`](crate::broad::PairsError). If one of them grows, the compiler shows you each
+//! place that must handle the new case.
 
 use crate::num::Fx;
 use core::fmt;
@@ -7,8 +17,9 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-// A word: in a `Result`, an error lies over the answer. A byte in it would split the copies of the
-// answer at an odd address, and a Cortex-M0 then copies byte by byte: 17 % of a hero's frame.
+// A word, because in a `Result` an error shares the memory of the answer. A byte in it would split
+// the copies of the answer at an odd address. A Cortex-M0 then copies byte by byte, which takes 17
+// % of a hero's frame.
 #[repr(u32)]
 pub enum Quantity {
     /// A horizontal coordinate.
@@ -31,21 +42,21 @@ pub enum Quantity {
     BodySize,
     /// How far a walker keeps to the ground.
     Snap,
-    /// How far a body goes down with a floor that sinks.
+    /// How far a body moves down with a floor that sinks.
     Follow,
     /// The length of a stick or a rope.
     Length,
     /// How high a walker steps.
     StepHeight,
-    /// How far a mover may put a body aside: [`Mover::assist`](crate::Mover::assist).
+    /// How far a mover may move a body aside: [`Mover::assist`](crate::Mover::assist).
     Assist,
     /// The number of cells of a level that a motion would visit, not a length.
     Cells,
     /// The direction of a box: both components are zero, or one is `i32::MIN`, which has no
     /// opposite.
     Direction,
-    /// How far the core of a capsule that is to be moved is off the vertical or the horizontal, or
-    /// zero where the capsule has no radius.
+    /// How far the core of a capsule that is to be moved is off the vertical or the horizontal;
+    /// zero if the capsule has no radius.
     Capsule,
     /// The smaller side of the bounding box of a body or solid that is to be moved and has no area.
     Area,
@@ -59,9 +70,10 @@ pub enum Quantity {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RangeError {
-    /// Which input.
+    /// The input that is out of range.
     pub what: Quantity,
-    /// The raw value that is out of range: of a circle or a motion, where it would reach.
+    /// The raw value that is out of range. For a circle or a motion, the coordinate that it would
+    /// reach.
     pub value: i32,
 }
 
@@ -108,9 +120,9 @@ impl core::error::Error for RangeError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Truncated {
-    /// How many results there were.
+    /// The number of results.
     pub seen: u32,
-    /// How many of them were kept.
+    /// The number of results that were kept.
     pub kept: u32,
 }
 
@@ -134,7 +146,7 @@ pub enum PolygonError {
     },
     /// There are more corners than the polygon can hold.
     TooMany {
-        /// The room.
+        /// The number of corners that the polygon can hold.
         capacity: usize,
     },
     /// A point is outside the domain.
@@ -144,25 +156,25 @@ pub enum PolygonError {
         /// The fault of the corner.
         error: RangeError,
     },
-    /// A corner is where the one before it is.
+    /// A corner is at the position of the one before it.
     Repeated {
         /// Which one, counted from zero.
         at: usize,
     },
-    /// A corner is on one line with its neighbours: leave it out.
+    /// A corner is on one line with its neighbours. Leave it out.
     Collinear {
         /// Which one, counted from zero.
         at: usize,
     },
-    /// A corner turns the other way than those before it: take the hull, or cut the polygon into
-    /// convex parts.
+    /// A corner turns in the other direction than those before it. Use the hull, or cut the polygon
+    /// into convex parts.
     Reflex {
         /// Which one, counted from zero.
         at: usize,
     },
-    /// The corners go round more than once.
+    /// The path of the corners winds around more than once.
     Winds {
-        /// How often.
+        /// How often it winds around.
         times: usize,
     },
 }

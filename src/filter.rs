@@ -1,4 +1,4 @@
-//! Layers: which bodies have to do with which.
+//! Layers: which bodies pair with which.
 
 use core::ops::{BitAnd, BitOr, Not};
 
@@ -25,19 +25,19 @@ impl LayerMask {
     /// Every layer.
     pub const ALL: Self = Self(0xffff);
 
-    /// The layer of an index from 0 to 15. Larger indices wrap around: `layer(16)` is `layer(0)`.
+    /// The mask of one layer, from 0 to 15. Larger indices wrap around: `layer(16)` is `layer(0)`.
     #[must_use]
     pub const fn layer(index: u8) -> Self {
         Self(1 << (index & 15))
     }
 
-    /// Whether a layer is in both.
+    /// Whether the masks have a layer in common.
     #[must_use]
     pub const fn intersects(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// The layers of both masks, in `const`.
+    /// The layers of both masks, usable in constants.
     #[must_use]
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
@@ -67,14 +67,14 @@ impl Not for LayerMask {
 
 /// Which bodies a body pairs with.
 ///
-/// Two bodies pair where each one's `mask` has a layer that the other is on, unless
+/// Two bodies pair if each one's `mask` has a layer that the other is on, unless
 /// - both are of one `group` that is not 0: a positive group pairs always, a negative one never
 ///   (parts of one figure), or
 /// - both are [still](Self::still): walls, and what sleeps, or
 /// - both are [sensors](Self::sensor).
 ///
-/// 8 bytes. Cost on a Cortex-M0, in line: 9 instructions where the first one's mask refuses, 17
-/// where they pair.
+/// It takes 8 bytes. Cost on a Cortex-M0, inlined: 9 instructions if the first one's mask refuses,
+/// 17 if they pair.
 ///
 /// ```
 /// use tilesat::{Filter, LayerMask, broad::Tag};
@@ -93,7 +93,7 @@ pub struct Filter {
     pub layers: LayerMask,
     /// The layers that it pairs with.
     pub mask: LayerMask,
-    /// Parts of one whole.
+    /// The group of parts that belong together.
     pub group: i16,
     flags: u16,
 }
@@ -102,7 +102,7 @@ const STILL: u16 = 1;
 const SENSOR: u16 = 2;
 
 impl Default for Filter {
-    /// On every layer, with every layer.
+    /// A body on every layer that pairs with every layer.
     fn default() -> Self {
         Self::new(LayerMask::ALL, LayerMask::ALL)
     }
@@ -129,27 +129,27 @@ impl Filter {
         Self { group, ..self }
     }
 
-    /// Sets whether the body is at rest: two that do not move never pair.
+    /// Sets whether the body is at rest. Two bodies at rest never pair.
     #[must_use]
     #[doc(alias = "static body")]
     pub const fn with_still(self, still: bool) -> Self {
         self.with_flag(STILL, still)
     }
 
-    /// Sets whether the body is a sensor. A sensor reports bodies, and pushes none.
+    /// Sets whether the body is a sensor. A sensor reports bodies, and does not push them.
     #[must_use]
     #[doc(alias("trigger", "Area2D", "isSensor"))]
     pub const fn with_sensor(self, sensor: bool) -> Self {
         self.with_flag(SENSOR, sensor)
     }
 
-    /// Whether it does not move.
+    /// Whether the body is at rest.
     #[must_use]
     pub const fn still(&self) -> bool {
         self.flags & STILL != 0
     }
 
-    /// Whether it only senses.
+    /// Whether the body is a sensor.
     #[must_use]
     pub const fn sensor(&self) -> bool {
         self.flags & SENSOR != 0

@@ -2,20 +2,21 @@
 //! consoles.
 //!
 //! A level is bytes in flash, one byte (or bit) per tile. Bodies are boxes, circles, capsules,
-//! turned boxes and convex polygons. You ask: do they overlap, how deep, and which way out? What
-//! does this ray see? Where does this body end up when it slides along the level? Every yes/no is
-//! exact, every rounding has a declared direction, every loop has a bound, and nothing panics. The
-//! crate needs no FPU, no heap and no 64-bit multiply.
+//! oriented boxes and convex polygons. The crate answers these questions. Do two shapes overlap,
+//! how deep, and which push parts them? What does this ray hit? Where is this body after it slides
+//! along the level? Every yes/no answer is exact, every rounding has a documented direction, every
+//! loop has a bound, and nothing panics in release builds. The crate needs no FPU, no heap and no
+//! 64-bit multiply.
 //!
-//! It is not a physics engine: there are no joints or forces, and bodies turn only where your game
-//! turns them.
+//! It is not a physics engine: it has no joints and no forces, and bodies rotate only when your
+//! game rotates them.
 //!
-//! A platformer's hero is one type, [`Character`], and one call per frame:
+//! The hero of a platformer is one type, [`Character`], with one call per frame:
 //!
 //! ```
 //! use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
 //!
-//! // The characters of the text are the tile ids; the table says what they are.
+//! // The characters of the text are the tile ids; the table defines them.
 //! static KINDS: TileKinds = TileKinds::EMPTY
 //!     .with(b'#', TileKind::FULL)
 //!     .with(b'=', TileKind::ONE_WAY_UP)
@@ -40,7 +41,7 @@
 //! | you want | type |
 //! |---|---|
 //! | the hero of a platformer | [`Character`] |
-//! | a character with rules of your own | [`Walker`], [`Mover::ride`] |
+//! | a character with your own rules | [`Walker`], [`Mover::ride`] |
 //! | anything that moves and hits | [`Mover::move_and_slide`] |
 //! | lifts, doors, crushers | [`Solid`], [`Solids`] |
 //! | sloped lifts, bumpers, platforms that turn | [`ConvexSolid`](world::ConvexSolid), [`Character::step_on`], [`Mover::ride_convex`] |
@@ -59,19 +60,19 @@
 //! - **Touching is not overlapping.** `overlaps` is strict, `touches` is closed, both exact
 //!   ([`query`]).
 //! - **Normals** of contacts point from A to B. Those of casts and rays point out of the shape that
-//!   was hit. They are exact integers ([`Axis`]), and you compute the unit vector when you need it.
-//! - **Rounding** is safe: depths up, push-outs away, distances and times of impact down. A body
-//!   that you move by a result never ends inside.
+//!   was hit. They are exact integers ([`Axis`]), and you can compute the unit vector from them.
+//! - **Rounding** is safe: depths are rounded up, push-outs away, distances and times of impact
+//!   down. A body that you move by a result never ends inside.
 //! - **The y axis**: row 0 of a [`TileMap`] has the smallest y, and "up" in a tile's name is toward
 //!   row 0. On a screen (y down) "up" is [`Axis::NEG_Y`]. With y up, pass [`Axis::Y`] and store the
 //!   rows bottom first.
 //! - **Units are per frame**: a velocity is the motion of one call.
-//! - **Overflow**: nothing in here overflows, and [`Vec2`] saturates. Your own arithmetic on single
-//!   [`Fx`] values can: see [`Fx`](Fx#overflow).
+//! - **Overflow**: nothing in this crate overflows, and [`Vec2`] saturates. Your own arithmetic on
+//!   single [`Fx`] values can: see [`Fx`](Fx#overflow).
 //!
 //! # Map
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
 //! | [`num`] | scalars, vectors, wide products, roots |
 //! | [`shape`] | [`Aabb`], [`Circle`], [`Segment`]; [`Capsule`], [`OrientedBox`], [`ConvexPolygon`]; [`AnyShape`](shape::AnyShape), [`Compound`](shape::Compound), [`ConvexParts`](shape::ConvexParts) |
@@ -81,18 +82,18 @@
 //! | [`scene`] | [`Scene`]: level, broad phase and bodies by one call per frame |
 //! | [`motion`] | [`Character`], [`Mover::move_and_slide`], [`Walker`], [`Mover::ride`] on moving [`Solid`]s, responses, casts through levels |
 //! | [`error`] | errors that several modules share |
-//! | [`boards`] | what it costs; notes for real boards: targets, manifests, frame budgets |
+//! | [`boards`] | costs; notes for real boards: targets, manifests, frame budgets |
 //!
 //! # Features
 //!
 //! None is on by default and none changes a result. `defmt` adds a compact `Format` to every public
 //! type. `serde` writes and reads every plain state that a game keeps, without a heap: numbers,
 //! shapes, heroes, movers, solids, particles, broad phases, pairs and scenes. States that depend on
-//! how this crate works inside have a version. What is read is checked as a constructor checks it:
-//! a box whose sides are exchanged, a coordinate outside the domain, an unknown version and lists
-//! that contradict each other are errors that say what and where. A [`Memo`](motion::Memo) is written as nothing
-//! and read empty, because only the level could check its answer. `libm` takes the processor's
-//! square root on x86-64: a cast of a circle takes 7 % fewer instructions.
+//! the internals of this crate carry a format version. Reading applies the same checks as the
+//! constructors. Swapped corners, coordinates outside the domain, unknown versions and inconsistent
+//! lists are errors that say what is wrong and where. A [`Memo`](motion::Memo) is not saved: it
+//! reads back empty, because its answer cannot be checked without the level. `libm` uses the
+//! processor's square root on x86-64, which saves 7 % of the instructions of a circle cast.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -136,8 +137,9 @@ pub use num::{Axis, Fx, Ratio, Toi, UnitVec2, Vec2};
 pub use query::{CastHit, Contact, Inside};
 pub use scene::{Scene, SceneBody};
 pub use shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
-/// The verbs: `use tilesat::prelude::*;` brings the traits of the pair queries into scope. Types
-/// come from the crate's root, and cursors and parts of results from the modules.
+/// The traits of the pair queries and of the broad phases: `use tilesat::prelude::*;`.
+///
+/// Import types from the crate root, and iterators and parts of results from their modules.
 pub mod prelude {
     pub use crate::broad::BroadPhase;
     pub use crate::query::{

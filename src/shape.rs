@@ -25,7 +25,7 @@ pub use polygon::ConvexPolygon;
 
 /// An axis-aligned box, given by its two corners.
 ///
-/// A box of no width or height is legal and acts as a segment or a point.
+/// A box without width or height is legal and acts as a segment or a point.
 ///
 /// ```text
 ///  min +--------+
@@ -153,8 +153,8 @@ impl Aabb {
         self.hi().sub(self.lo()).vec2()
     }
 
-    /// The middle; where a side is an odd number of raw units, the half unit is dropped toward the
-    /// smaller coordinate.
+    /// The middle. If a side is an odd number of raw units, it is rounded toward the smaller
+    /// coordinate.
     #[must_use]
     pub const fn centre(&self) -> Vec2 {
         let (lo, hi) = (self.lo(), self.hi());
@@ -175,7 +175,7 @@ impl Aabb {
         *self
     }
 
-    /// The point of the box that is nearest to `p`: `p` itself where it is inside. Exact.
+    /// The point of the box that is nearest to `p`: `p` itself if it is inside. Exact.
     #[must_use]
     pub const fn closest_point(&self, p: Vec2) -> Vec2 {
         p.max(self.min).min(self.max)

@@ -1,4 +1,4 @@
-//! Plain states in any format of `serde`: what all areas share.
+//! Plain states in any format of `serde`: the common part of all modules.
 //!
 //! A type without an invariant derives both traits. Any other has a *form*: plain fields, which
 //! are checked on reading by the same rules as a constructor checks its arguments.
@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// The saved form of a `T`, which is checked on reading.
 pub(crate) trait StoredForm<T>: Sized {
-    /// Why a form is refused.
+    /// The reason of a refusal.
     type Fault: fmt::Display;
 
     fn of(value: &T) -> Self;
@@ -21,7 +21,7 @@ pub(crate) fn write<T, F: StoredForm<T> + Serialize, S: Serializer>(value: &T, t
     F::of(value).serialize(to)
 }
 
-/// The fault says what is wrong, and the name of the type in which part of a state.
+/// The fault says what is wrong, and the name of the type says in which part of a state.
 pub(crate) fn read<'de, T, F: StoredForm<T> + Deserialize<'de>, D: Deserializer<'de>>(
     name: &str,
     from: D,
@@ -29,8 +29,8 @@ pub(crate) fn read<'de, T, F: StoredForm<T> + Deserialize<'de>, D: Deserializer<
     F::deserialize(from)?.check().map_err(|fault| D::Error::custom(format_args!("{name}: {fault}")))
 }
 
-/// Both traits of a type by its form: with its parameters in brackets if it has any, and at the end
-/// those that have to be written and read themselves.
+/// Implements both traits for a type by its form. Its parameters are in brackets, if it has any,
+/// and those that have to be saved themselves are at the end.
 macro_rules! stored {
     ($type:ident as $form:ident) => {
         crate::stored::stored!([] $type<> as $form<>;);
@@ -57,8 +57,8 @@ macro_rules! stored {
 }
 pub(crate) use stored;
 
-/// The version of the forms in which states are written that depend on how this crate works inside.
-/// Numbers and shapes have none: they are what they are.
+/// The version of the forms of states that depend on the internals of this crate. Numbers and
+/// shapes have no version.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Version;
 
@@ -84,10 +84,10 @@ impl<'de> Deserialize<'de> for Version {
     }
 }
 
-/// A state that contradicts itself, and where.
+/// A state that contradicts itself, and the place of the contradiction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wrong {
-    /// The slot, or the place in a list.
+    /// The slot, or the index in a list.
     pub(crate) at: usize,
     pub(crate) what: &'static str,
 }
@@ -98,7 +98,7 @@ impl fmt::Display for Wrong {
     }
 }
 
-/// That something holds, or what is wrong where it does not.
+/// Checks a condition. Returns the fault if it does not hold.
 pub(crate) const fn ensure(holds: bool, at: usize, what: &'static str) -> Result<(), Wrong> {
     if holds { Ok(()) } else { Err(Wrong { at, what }) }
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures run time against error, beside textbook code and other libraries. Writes results.csv, and
-# from it plots/*.svg, results.md and readme-table.md.
+# from it plots/*.svg, results.md, and the tables in README.md and src/boards.md.
 #
 #   run.sh                 all steps: count on the host, judge and time, count on microcontrollers,
 #                          weigh, show (half an hour)

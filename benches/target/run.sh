@@ -56,6 +56,7 @@ tables=(
     guide/a_board_from_zero.md:stack:'short.awk -v page=board'
     src/boards.md:counts:readme.awk
     src/broad/guide.md:bodies:bodies.awk
+    src/scene/set.rs:costs:scene.awk
 )
 root=$(cd ../.. && pwd)
 with_table() {

@@ -1,10 +1,10 @@
 //! A race seen from above, of shapes that turn. Run it with `cargo run --release --example racing
 //! [-- FILE.png]`.
 //!
-//! `tilesat_games::racing` is the game. The car is a turned box that steers with `motion::turn` and
-//! shoves other turned boxes. A marshal, who is a capsule, walks through a turnstile that turns and
-//! pushes. After each frame nothing may overlap. At the end the car has made three laps, the
-//! marshal its rounds. The picture, `target/racing.png`, shows both ways.
+//! `tilesat_games::racing` is the game. The car is an oriented box that steers with `motion::turn`
+//! and shoves other oriented boxes. A marshal, who is a capsule, walks through a turnstile that
+//! turns and pushes. After each frame nothing may overlap. At the end the car has made three laps,
+//! the marshal its rounds. The picture, `target/racing.png`, shows both ways.
 #![allow(clippy::std_instead_of_core, clippy::float_arithmetic, reason = "drawing, on a desktop")]
 
 use std::process::ExitCode;

@@ -14,10 +14,10 @@
 //! | [`many_bodies`] | broad phases, pairs, scenes |
 //! | [`rays_and_casts`] | lasers, guards, ledges |
 //! | [`drawing_and_replays`] | interpolation, slow motion, replays, rollback |
-//! | [`rollback`] | two machines: guesses, snapshots, what is played again |
+//! | [`rollback`] | two machines: guesses, snapshots, replayed frames |
 //! | [`errors`] | each error, its cause, and what a game does |
 //! | [`a_board_from_zero`] | from an empty folder to a program for a Cortex-M0 |
-//! | [`coming_from`] | bump, Godot, rapier, Celeste: their words in ours |
+//! | [`coming_from`] | bump, Godot, rapier, Celeste: their terms and ours |
 
 #![allow(
     clippy::needless_doctest_main,

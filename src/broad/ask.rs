@@ -1,7 +1,7 @@
-//! The queries of a broad phase, beside its pairs: bodies near a point, on a way, in order; the
-//! pairs of a few.
+//! The queries of a broad phase beside its pairs: bodies near a point or on a path, in order, and
+//! the pairs of a few bodies.
 //!
-//! Answers are in canonical order, the first of them where room is short.
+//! Answers are in canonical order. If room is short, they are the first ones.
 
 use super::table::Bodies;
 use super::table::{Spatial, Unlimited};
@@ -12,11 +12,11 @@ use crate::query::cast::Span;
 use crate::shape::Aabb;
 use heapless::{Vec, VecView};
 
-/// The first ones, in an order, of items that come one after the other.
+/// Keeps the first of many items, in an order.
 ///
-/// While there is room they are only stored. Where it ends they become a heap with the last one on
-/// top, which each one that goes before it replaces. Of n items, k of them kept, that takes 2 n
-/// log2 k comparisons at most and sorting as many for the k: both bounded, in place.
+/// While there is room, items are only stored. After that they become a heap with the last one on
+/// top, which each earlier item replaces. For n items, of which k are kept, that takes at most 2 n
+/// log2 k comparisons, and sorting takes as many for the k. Both are bounded, and in place.
 pub(in crate::broad) struct FirstFew<'a, T, F> {
     out: &'a mut VecView<T>,
     /// A strict total order.
@@ -25,7 +25,7 @@ pub(in crate::broad) struct FirstFew<'a, T, F> {
 }
 
 impl<'a, T: Copy, F: Fn(&T, &T) -> bool> FirstFew<'a, T, F> {
-    /// Of an empty buffer.
+    /// A list in an empty buffer.
     pub(in crate::broad) fn new(out: &'a mut VecView<T>, before: F) -> Self {
         Self { out, before, seen: 0 }
     }
@@ -63,10 +63,11 @@ fn heap<T: Copy>(items: &mut [T], before: &impl Fn(&T, &T) -> bool) {
     }
 }
 
-/// Puts an item where none below it goes after it.
+/// Puts an item at a place below which none comes after it.
 ///
-/// First all the way down, the later one of two moving up. Then up again to its place, which mostly
-/// is near the bottom: half the comparisons of a search from the top.
+/// It goes first down to the bottom, while the later one of two moves up. Then it goes up to its
+/// place, which is mostly near the bottom. That takes half the comparisons of a search from the
+/// top.
 #[inline(never)]
 fn sink<T: Copy>(items: &mut [T], top: usize, before: &impl Fn(&T, &T) -> bool) {
     let Some(&item) = items.get(top) else { return };
@@ -148,8 +149,7 @@ pub(in crate::broad) fn sorted_region<S: Spatial>(
 pub struct Nearest {
     /// The body.
     pub handle: Handle,
-    /// From the point to the nearest point of the body's box, rounded down; 0 where the box holds
-    /// it.
+    /// The distance of the point from the body's box, rounded down; 0 if the box holds it.
     pub distance: Fx,
 }
 
@@ -160,7 +160,7 @@ fn apart(p: Raw, bounds: &Aabb) -> (i32, i32) {
     (gap(p.x, lo.x, hi.x), gap(p.y, lo.y, hi.y))
 }
 
-/// Without such a body, beyond all.
+/// The distance without such a body: beyond all.
 fn square_to<T: Tag>(bodies: Bodies<'_, T>, p: Raw, slot: usize) -> u64 {
     let Some(bounds) = bodies.bounds.get(slot) else { return u64::MAX };
     let (x, y) = apart(p, bounds);
@@ -171,15 +171,15 @@ fn distance(square: u64) -> Fx {
     Fx::from_bits(isqrt64(square) as i32)
 }
 
-/// No two points of the domain are as far apart as the largest length, 2^30.5 < 2^31 raw: every
-/// length is taken, and none wraps.
+/// No two points of the domain are as far apart as the largest length, 2^30.5 < 2^31 raw. So every
+/// length is accepted, and none wraps.
 fn checked_point(point: Vec2, within: Fx) -> Result<(Raw, i32), RangeError> {
     check_coordinate(point)?;
     let reach = within.to_bits();
     if reach < 0 { Err(RangeError { what: Quantity::Radius, value: reach }) } else { Ok((Raw::of(point), reach)) }
 }
 
-/// By exact squares; at equal ones by canonical order.
+/// Compares exact squares; on a tie, the canonical order.
 pub(in crate::broad) fn nearest<S: Spatial>(
     phase: &S,
     point: Vec2,
@@ -205,7 +205,7 @@ pub(in crate::broad) fn nearest<S: Spatial>(
     Ok(best.map(|handle| Nearest { handle, distance: distance(limit) }))
 }
 
-/// The same for all within reach.
+/// Finds all wanted bodies within reach, the nearest first.
 pub(in crate::broad) fn neighbours<S: Spatial>(
     phase: &S,
     point: Vec2,
@@ -240,7 +240,8 @@ pub(in crate::broad) fn neighbours<S: Spatial>(
 pub struct BroadHit {
     /// The body.
     pub handle: Handle,
-    /// When it touches the box first, rounded down: whatever is in the box is not hit earlier.
+    /// The time at which it first touches the box, rounded down. A shape in the box is not hit
+    /// earlier.
     pub toi: Toi,
 }
 
@@ -250,9 +251,8 @@ impl Span {
         self.gap <= self.speed && self.leave >= 0
     }
 
-    /// Whether this is left when the other one is entered or after that:
-    /// `leave / speed >= gap / speed` of the other. Products below 2^60; none where the motion ends
-    /// first.
+    /// Whether this span is left at the entry of the other one, or after that: `leave / speed >=
+    /// gap / speed` of the other. Products are below 2^60; there are none if the motion ends first.
     const fn lasts_until(self, other: Self) -> bool {
         other.gap <= 0
             || self.leave >= self.speed
@@ -265,8 +265,8 @@ impl Span {
     }
 }
 
-/// When the box `a` that moves by `d` first has a point in common with the box `b`: the closed
-/// counterpart of a cast, which is a hit only where the motion starts to overlap.
+/// When the box `a` that moves by `d` first has a point in common with the box `b`. This is the
+/// closed counterpart of a cast, which hits only if the motion starts to overlap.
 fn touched(a: &Aabb, d: Raw, b: &Aabb) -> Option<Toi> {
     let (alo, ahi, blo, bhi) = (a.lo(), a.hi(), b.lo(), b.hi());
     let x = Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x);
@@ -338,14 +338,14 @@ pub(in crate::broad) fn cast<S: Spatial>(
     Ok(first.sort()?)
 }
 
-/// How far a body steps aside along y while the others are tested: out of the domain. Nothing in
-/// the domain then touches the box, and the way back needs no rounding. Coordinates below 2^29
-/// become ones in 2^29..2^31. x, and with it an order by x, stays.
+/// How far a body is moved along y while the others are tested: out of the domain. Nothing in the
+/// domain then touches the box, and moving it back needs no rounding. Coordinates below 2^29 become
+/// ones in 2^29..2^31. The x coordinate does not change, and so an order by x does not, either.
 const ASIDE: i32 = DOMAIN << 1;
 
-/// Every pair with one of the movers, once. A mover that has been asked steps aside, so later
-/// movers do not meet it. That needs no memory and no order. A mover that is named twice is already
-/// aside the second time.
+/// Every pair with one of the movers, once. A mover is moved aside after its query, so later movers
+/// do not meet it. That needs no memory and no order. A mover that is named twice is already aside
+/// the second time.
 pub(in crate::broad) fn pairs_of<S: Spatial>(
     phase: &mut S,
     movers: &[Handle],
@@ -370,7 +370,7 @@ pub(in crate::broad) fn pairs_of<S: Spatial>(
     Ok(())
 }
 
-/// Brings all movers back at the end, even where `each` panics.
+/// Moves all movers back at the end, even if `each` panics.
 struct Restore<'a, S: Spatial> {
     phase: &'a mut S,
     movers: &'a [Handle],
@@ -391,7 +391,7 @@ fn is_aside(bounds: &Aabb) -> bool {
     bounds.lo().y >= DOMAIN
 }
 
-/// In the table alone: no structure hears of it, and no enumeration that is under way is disturbed.
+/// Only the table is changed, so no structure and no running enumeration is disturbed.
 fn put<S: Spatial>(phase: &mut S, slot: usize, bounds: &Aabb, by: i32) {
     let (mut lo, mut hi) = (bounds.lo(), bounds.hi());
     (lo.y, hi.y) = (lo.y.wrapping_add(by), hi.y.wrapping_add(by));

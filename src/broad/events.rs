@@ -1,55 +1,51 @@
-//! Which pairs begin, stay and end from frame to frame, and which are ignored for a while: both in
-//! ascending order, in fixed arrays.
+//! Which pairs begin, stay and end from frame to frame, and which are ignored for some time. Both
+//! are in ascending order, in fixed arrays.
 
 use super::{BroadError, Handle, Pair};
 use crate::error::Truncated;
 
-/// Whole words: a small core moves them in a few registers. With any other alignment it would call
-/// a memory routine.
+/// Aligned to words, so a small core moves entries in a few registers. With a smaller alignment it
+/// would call a memory routine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(align(4))]
-pub(in crate::broad) struct EventEntry<K, V>(pub(in crate::broad) Option<(K, V)>);
+pub(in crate::broad) struct Listed<K, V>(pub(in crate::broad) Option<(K, V)>);
 
-/// The index of a key, or where it would go: the first entry that is not below it.
+/// The index of a key, or of the first entry that is not below it.
 #[inline]
-pub(in crate::broad) fn place<K: Ord, V>(entries: &[EventEntry<K, V>], key: &K) -> usize {
-    entries.partition_point(|entry| matches!(entry, EventEntry(Some((k, _))) if k < key))
+pub(in crate::broad) fn place<K: Ord, V>(entries: &[Listed<K, V>], key: &K) -> usize {
+    entries.partition_point(|entry| matches!(entry, Listed(Some((k, _))) if k < key))
 }
 
 /// The value under a key that was searched for.
 #[inline]
-pub(in crate::broad) fn known<'a, K: Eq, V>(
-    entries: &'a mut [EventEntry<K, V>],
-    at: usize,
-    key: &K,
-) -> Option<&'a mut V> {
+pub(in crate::broad) fn known<'a, K: Eq, V>(entries: &'a mut [Listed<K, V>], at: usize, key: &K) -> Option<&'a mut V> {
     match entries.get_mut(at) {
-        Some(EventEntry(Some((k, value)))) if k == key => Some(value),
+        Some(Listed(Some((k, value)))) if k == key => Some(value),
         _ => None,
     }
 }
 
 /// How many entries there are.
 #[inline]
-pub(in crate::broad) fn count<K, V>(entries: &[EventEntry<K, V>]) -> usize {
+pub(in crate::broad) fn count<K, V>(entries: &[Listed<K, V>]) -> usize {
     entries.partition_point(|entry| entry.0.is_some())
 }
 
-/// Puts an entry before those of a part of the array and moves them up by one; the last of the
-/// part, of a free place nothing, is dropped.
-pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [EventEntry<K, V>], key: K, value: V) {
+/// Inserts an entry before those of a part of the array and moves them up by one. The last of the
+/// part is dropped.
+pub(in crate::broad) fn insert<K: Copy, V: Copy>(part: &mut [Listed<K, V>], key: K, value: V) {
     let mut places = part.iter_mut().rev();
     let Some(mut to) = places.next() else { return };
     for from in places {
         *to = *from;
         to = from;
     }
-    *to = EventEntry(Some((key, value)));
+    *to = Listed(Some((key, value)));
 }
 
-/// Drops what `keep` says, which may change values; one pass.
+/// Keeps the entries for which `keep` returns true, in one pass. `keep` may change the values.
 pub(in crate::broad) fn retain<K: Copy, V: Copy>(
-    entries: &mut [EventEntry<K, V>],
+    entries: &mut [Listed<K, V>],
     mut keep: impl FnMut(&K, &mut V) -> bool,
 ) {
     let mut kept = 0;
@@ -57,19 +53,19 @@ pub(in crate::broad) fn retain<K: Copy, V: Copy>(
         let Some((key, mut value)) = entries.get_mut(i).and_then(|entry| entry.0.take()) else { break };
         if keep(&key, &mut value) {
             if let Some(slot) = entries.get_mut(kept) {
-                *slot = EventEntry(Some((key, value)));
+                *slot = Listed(Some((key, value)));
             }
             kept += 1;
         }
     }
 }
 
-/// The fate of a pair in one frame. Each pair gives `Begin`, then `Stay` in each later frame, then
-/// `End`, once.
+/// The state of a pair in one frame. Each pair gives `Begin`, then `Stay` in each later frame, then
+/// `End` once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairEvent<P = Pair> {
-    /// The pair was not there in the last frame.
+    /// The pair is new: it was not there in the last frame.
     Begin(P),
     /// The pair was there, and still is.
     Stay(P),
@@ -91,10 +87,10 @@ impl<P: Copy> PairEvent<P> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Mark {
-    /// It came this frame and was not there before. From 1 on, and no entry is zero: a static list
-    /// without entries takes no flash.
+    /// It came in this frame and was not there before. Marks start at 1, and no entry is zero, so a
+    /// static list without entries takes no flash.
     New = 1,
-    /// It was there before and did not come: not yet, or, where the frame is over, not at all.
+    /// It was there before and did not come: not yet, or, if the frame is over, not at all.
     Old,
     /// It was there before, and is.
     Both,
@@ -104,29 +100,28 @@ pub(super) enum Mark {
 /// sensors that begin, stay and end.
 ///
 /// In each frame, [`feed`](Self::feed) it the pairs that count, in any order, each at least once.
-/// Those are the pairs of the broad phase that pass your own test of the shapes.
-/// [`finish`](Self::finish) ends the frame. [`iter`](Self::iter) then lists what became of each
-/// pair, in ascending order of pairs, as often as you like, until you feed the next frame.
+/// These are the pairs of the broad phase that pass your test of the shapes.
+/// [`finish`](Self::finish) ends the frame. [`iter`](Self::iter) then lists the state of each pair,
+/// in ascending order of pairs. You can call it several times, until you feed the next frame.
 ///
-/// Any `P` that is `Copy + Ord` is a pair: the keys of two bodies, or `(Handle, Cell)` for tiles
-/// that trigger and for [landings](crate::scene#games-in-a-scene). Use keys where the order of
-/// events must not depend on the order of insertion, as that of handles does. `(a, b)` and `(b, a)`
-/// are two pairs; a broad phase gives only one of them.
+/// A pair is any `P` that is `Copy + Ord`: the keys of two bodies, or `(Handle, Cell)` for tiles
+/// that trigger and for [landings](crate::scene#games-in-a-scene). The order of handles depends on
+/// the order of insertion. Use keys if the order of events must not. `(a, b)` and `(b, a)` are two
+/// pairs; a broad phase gives only one of them.
 ///
-/// - **Bodies at rest**: two [still](crate::Filter::still) bodies are no pair of a broad phase, but
-///   a body that fell asleep in a trigger is still in it. `finish` therefore asks `held` about each
-///   pair that did not come. Let bodies fall asleep after `finish`: the frame in which they moved
-///   is then judged by where they are.
-/// - **More than M pairs**: those of the last frame stay until they end, and of the new ones the
-///   smallest fit; `finish` says [`Truncated`]. A pair that did not fit has not begun, and has no
-///   end. It begins as soon as there is room. An M as large as the pairs of two successive frames
-///   together always suffices.
+/// - **Bodies at rest**: two [still](crate::Filter::still) bodies do not pair in a broad phase. But
+///   a body that fell asleep in a trigger is still in it. So `finish` calls `held` for each pair
+///   that did not come. Let bodies fall asleep after `finish`, so the frame in which they last
+///   moved uses their final positions.
+/// - **More than M pairs**: those of the last frame stay until they end, and the smallest of the
+///   new ones fit; `finish` returns [`Truncated`]. A pair that did not fit has not begun, and does
+///   not end. It begins as soon as there is room. An M as large as the pairs of two successive
+///   frames together is always enough.
 ///
-/// Plain data: a copy is a snapshot. For [`Pair`]s it takes 12 bytes each. Cost: a binary search
-/// for a pair known since the last frame, and for a new one also the moves of all greater ones. M
-/// new pairs at once are M^2 / 2 moves at worst. Each frame takes two passes over the pairs. With
-/// 64 pairs on a Cortex-M0: 310 instructions per known pair, 590 per new one where the greatest
-/// come first.
+/// Plain data: a copy is a snapshot. Each [`Pair`] takes 12 bytes. Cost: a binary search for each
+/// pair. A new pair also moves all greater ones, so M new pairs at once take up to M^2 / 2 moves.
+/// Each frame takes two passes over the pairs. With 64 pairs on a Cortex-M0: 310 instructions per
+/// known pair, and 590 per new one if the greatest come first.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce, PairEvent, PairEvents};
@@ -140,7 +135,7 @@ pub(super) enum Mark {
 /// let mut log = Vec::new();
 /// for x in [9, 8, 4, 4, 9] {
 ///     near.move_to(hero, &at(x)?)?;
-///     near.set_tag(hero, all)?; // who moves is awake
+///     near.set_tag(hero, all)?; // a moving body is awake
 ///     near.pairs(|pair| events.feed(pair));
 ///     let rests = |handle| near.tag(handle).is_ok_and(|filter| filter.still());
 ///     events.finish(|pair| rests(pair.a) && rests(pair.b))?;
@@ -156,17 +151,17 @@ pub(super) enum Mark {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("on_collision_enter", "body_entered", "beginContact"))]
 pub struct PairEvents<const M: usize, P = Pair> {
-    pub(super) entries: [EventEntry<P, Mark>; M],
+    pub(super) entries: [Listed<P, Mark>; M],
     pub(super) frame: FrameState,
 }
 
-/// Of the present frame.
+/// The count of the current frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct FrameState {
     fed: u32,
     lost: bool,
-    /// Something was fed since the last one ended.
+    /// Whether a pair was fed since the last frame ended.
     begun: bool,
 }
 
@@ -180,7 +175,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [EventEntry(None); M], frame: FrameState { fed: 0, lost: false, begun: false } }
+        Self { entries: [Listed(None); M], frame: FrameState { fed: 0, lost: false, begun: false } }
     }
 
     /// Reports that a pair is there in the current frame.
@@ -191,21 +186,21 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
 
     /// Ends the frame.
     ///
-    /// `held` answers, for each pair of the last frame that did not come, whether it is still there
-    /// because its bodies rest. It must be false for a pair with a removed body. Pass `|_| false`
-    /// where nothing rests.
+    /// `held` is called for each pair of the last frame that did not come. It returns whether the
+    /// pair is still there because its bodies rest, and must be false for a pair with a removed
+    /// body. Pass `|_| false` if no body rests.
     ///
     /// # Errors
-    /// [`Truncated`] if there were more than M pairs: the events are those of the M that were kept.
+    /// [`Truncated`] if there were more than M pairs. The events are those of the M that were kept.
     /// A pair that you fed twice counts twice in `seen`.
     pub fn finish(&mut self, held: impl FnMut(&P) -> bool) -> Result<(), Truncated> {
         finish(&mut self.entries, &mut self.frame, held)
     }
 
-    /// The fate of each pair in the frame that ended last, in ascending order of pairs; empty once
+    /// The state of each pair in the frame that ended last, in ascending order of pairs. Empty once
     /// you have fed the next frame.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
-        let listed: &[EventEntry<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
+        let listed: &[Listed<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };
         listed.iter().filter_map(|entry| entry.0).map(|(pair, mark)| match mark {
             Mark::New => PairEvent::Begin(pair),
             Mark::Old => PairEvent::End(pair),
@@ -213,7 +208,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
         })
     }
 
-    /// Discards everything fed since the last `finish`, for an enumeration that has to begin again
+    /// Discards everything fed since the last `finish`, if an enumeration has to begin again
     /// ([`Changed`](crate::broad::PairsError::Changed)).
     pub fn cancel(&mut self) {
         if self.frame.begun {
@@ -231,7 +226,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     #[must_use]
     pub fn contains(&self, pair: P) -> bool {
         let at = self.entries.get(place(&self.entries, &pair));
-        matches!(at, Some(EventEntry(Some((known, mark)))) if *known == pair && self.was_there(*mark))
+        matches!(at, Some(Listed(Some((known, mark)))) if *known == pair && self.was_there(*mark))
     }
 
     fn was_there(&self, mark: Mark) -> bool {
@@ -239,17 +234,17 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
     }
 }
 
-/// Begins the next frame, unless it has begun: drops what ended.
-fn begin<P: Copy>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameState) {
+/// Begins the next frame, unless it has begun, and drops the pairs that ended.
+fn begin<P: Copy>(entries: &mut [Listed<P, Mark>], frame: &mut FrameState) {
     if !frame.begun {
         retain(entries, |_, mark| core::mem::replace(mark, Mark::Old) != Mark::Old);
         *frame = FrameState { fed: 0, lost: false, begun: true };
     }
 }
 
-// Not inlined: without the capacity as a constant, one copy serves all.
+// Not inlined, because one copy without the capacity as a constant serves all lists.
 #[inline(never)]
-fn feed<P: Copy + Ord>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameState, pair: &P) {
+fn feed<P: Copy + Ord>(entries: &mut [Listed<P, Mark>], frame: &mut FrameState, pair: &P) {
     begin(entries, frame);
     frame.fed = frame.fed.saturating_add(1);
     let at = place(entries, pair);
@@ -261,10 +256,10 @@ fn feed<P: Copy + Ord>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameSta
     }
     let mut end = count(entries);
     if end == entries.len() {
-        // The greatest new pair gives way, or this pair does. Reported pairs never do. So the new
+        // The greatest new pair is dropped, or this pair is. Reported pairs never are. So the new
         // pairs that stay are the smallest of all, whatever their order.
         frame.lost = true;
-        let Some(last) = entries.iter().rposition(|entry| matches!(entry, EventEntry(Some((_, Mark::New))))) else {
+        let Some(last) = entries.iter().rposition(|entry| matches!(entry, Listed(Some((_, Mark::New))))) else {
             return;
         };
         end = last;
@@ -275,7 +270,7 @@ fn feed<P: Copy + Ord>(entries: &mut [EventEntry<P, Mark>], frame: &mut FrameSta
 }
 
 fn finish<P: Copy>(
-    entries: &mut [EventEntry<P, Mark>],
+    entries: &mut [Listed<P, Mark>],
     frame: &mut FrameState,
     mut held: impl FnMut(&P) -> bool,
 ) -> Result<(), Truncated> {
@@ -297,22 +292,22 @@ fn finish<P: Copy>(
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Ignore {
-    /// In the next frame in which it comes, then no more.
+    /// In the next frame in which the pair comes, and not after that.
     Once = 1, // as in `Mark`
     /// Until the first frame in which the pair did not come. The frame in which you set it does not
-    /// count: a bullet that starts within its shooter.
+    /// count. Use it for a bullet that starts inside its shooter.
     UntilApart,
-    /// Until one of the bodies is removed: a shield and its bearer.
+    /// Until one of the bodies is removed. Use it for a shield and its bearer.
     UntilRemoved,
 }
 
-/// Up to M pairs of bodies to ignore, each for its own time.
+/// Up to M pairs of bodies to ignore, each for a time that you choose.
 ///
 /// [`passes`](Self::passes) decides for each pair of a frame whether it counts.
-/// [`finish`](Self::finish) at the frame's end forgets pairs whose time is over, and bodies that
-/// are gone. If you call it after your own test of the shapes, "apart" means the shapes; before it,
-/// the boxes. Do not feed an ignored pair to [`PairEvents`](crate::broad::PairEvents): if it had
-/// begun, it ends.
+/// [`finish`](Self::finish) at the end of the frame forgets pairs whose time is over, and removed
+/// bodies. If you call `passes` after your test of the shapes, "apart" refers to the shapes; if
+/// before it, to the boxes. Do not feed an ignored pair to
+/// [`PairEvents`](crate::broad::PairEvents): if it had begun, it ends.
 ///
 /// You may pass the two handles in either order. Plain data: a copy is a snapshot, 12 bytes per
 /// pair. Cost: a binary search per pair, one pass per frame.
@@ -337,19 +332,19 @@ pub enum Ignore {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("ignoreCollision", "add_collision_exception_with"))]
 pub struct Exceptions<const M: usize> {
-    /// By the handles in ascending order.
-    pub(super) entries: [EventEntry<Pair, Term>; M],
+    /// The entries, by the handles in ascending order.
+    pub(super) entries: [Listed<Pair, Term>; M],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Term {
     ignore: Ignore,
-    /// `Both` if it came in the frame under way, else `Old`.
+    /// `Both` if it came in the current frame, else `Old`.
     pub(super) mark: Mark,
 }
 
-/// One name for the two orders of a pair; broad phases order by key, which may change.
+/// One form for both orders of a pair, because broad phases order by key, which may change.
 #[inline]
 pub(super) fn sorted(a: Handle, b: Handle) -> Pair {
     if a <= b { Pair { a, b } } else { Pair { a: b, b: a } }
@@ -365,14 +360,14 @@ impl<const M: usize> Exceptions<M> {
     /// An empty list, which may be a `static`.
     #[must_use]
     pub const fn new() -> Self {
-        Self { entries: [EventEntry(None); M] }
+        Self { entries: [Listed(None); M] }
     }
 
     /// Ignores a pair from now on, and replaces any earlier rule for it.
     ///
     /// # Errors
-    /// [`Full`](BroadError::Full): there are M others. Nothing was changed then. Those of removed
-    /// bodies make room in [`finish`](Self::finish).
+    /// [`Full`](BroadError::Full) if there are M others. Nothing is changed then.
+    /// [`finish`](Self::finish) drops those of removed bodies.
     pub fn ignore(&mut self, a: Handle, b: Handle, ignore: Ignore) -> Result<(), BroadError> {
         let mark = if ignore == Ignore::UntilApart { Mark::Both } else { Mark::Old };
         put(&mut self.entries, sorted(a, b), Term { ignore, mark })
@@ -391,7 +386,7 @@ impl<const M: usize> Exceptions<M> {
         found
     }
 
-    /// Whether a pair that came counts: no exception is made of it.
+    /// Whether a pair that came counts, because there is no exception for it.
     #[inline]
     pub fn passes(&mut self, pair: Pair) -> bool {
         // Most frames have none.
@@ -400,9 +395,9 @@ impl<const M: usize> Exceptions<M> {
 
     /// Ends the frame: forgets the rules whose time is over.
     ///
-    /// `present` says whether a body is still here; `held`, as in
-    /// [`PairEvents::finish`](crate::broad::PairEvents::finish), whether two that did not come are
-    /// together because they rest.
+    /// `present` returns whether a body is still there. `held` returns whether two bodies that did
+    /// not come are together because they rest, as in
+    /// [`PairEvents::finish`](crate::broad::PairEvents::finish).
     pub fn finish(&mut self, present: impl FnMut(Handle) -> bool, held: impl FnMut(&Pair) -> bool) {
         expire(&mut self.entries, present, held);
     }
@@ -413,7 +408,7 @@ impl<const M: usize> Exceptions<M> {
     }
 }
 
-fn passes(entries: &mut [EventEntry<Pair, Term>], pair: Pair) -> bool {
+fn passes(entries: &mut [Listed<Pair, Term>], pair: Pair) -> bool {
     let pair = sorted(pair.a, pair.b);
     match known(entries, place(entries, &pair), &pair) {
         Some(term) => {
@@ -424,7 +419,7 @@ fn passes(entries: &mut [EventEntry<Pair, Term>], pair: Pair) -> bool {
     }
 }
 
-fn put(entries: &mut [EventEntry<Pair, Term>], pair: Pair, term: Term) -> Result<(), BroadError> {
+fn put(entries: &mut [Listed<Pair, Term>], pair: Pair, term: Term) -> Result<(), BroadError> {
     let at = place(entries, &pair);
     if let Some(known) = known(entries, at, &pair) {
         *known = term;
@@ -439,7 +434,7 @@ fn put(entries: &mut [EventEntry<Pair, Term>], pair: Pair, term: Term) -> Result
 }
 
 fn expire(
-    entries: &mut [EventEntry<Pair, Term>],
+    entries: &mut [Listed<Pair, Term>],
     mut present: impl FnMut(Handle) -> bool,
     mut held: impl FnMut(&Pair) -> bool,
 ) {

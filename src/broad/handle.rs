@@ -1,5 +1,4 @@
-//! The data of a body beside its box, its handle and a tag (nothing, a filter, a key), and the
-//! errors.
+//! The handle of a body, its tag (nothing, a filter, a key), and the errors.
 
 use crate::error::{RangeError, Truncated};
 use crate::filter::{Filter, LayerMask};
@@ -7,12 +6,12 @@ use crate::num::Fx;
 use core::cmp::Ordering;
 use core::fmt;
 
-/// The name of one body in one broad phase: a slot, and the generation of its tenant.
+/// Identifies one body in one broad phase: a slot, and the generation of its tenant.
 ///
 /// A slot that is freed and used again has another generation. An old handle is then refused
-/// ([`BroadError::Stale`](super::BroadError::Stale)) and never means the new body. After 32768
-/// tenants of one slot generations repeat. A handle does not say which broad phase it belongs to:
-/// keep the handles of two apart. 4 bytes.
+/// ([`BroadError::Stale`](super::BroadError::Stale)) and never means the new body. After 32 768
+/// tenants of one slot, generations repeat. A handle does not say which broad phase it belongs to,
+/// so keep the handles of two broad phases apart. It takes 4 bytes.
 ///
 /// ```
 /// use tilesat::{Aabb, Vec2};
@@ -39,7 +38,7 @@ impl Handle {
         Self { slot: slot as u16, generation }
     }
 
-    /// Whether the slot had a tenant: only then is this a name.
+    /// Whether the slot had a tenant. Only then it identifies a body.
     pub(super) const fn is_taken(self) -> bool {
         self.generation & 1 == 1
     }
@@ -56,7 +55,7 @@ impl Handle {
         self.generation
     }
 
-    /// Both as one number: one comparison where two would branch.
+    /// Both as one number, which takes one comparison instead of a branch.
     #[inline]
     const fn word(self) -> u32 {
         (self.slot as u32) << 16 | self.generation as u32
@@ -80,7 +79,8 @@ impl PartialOrd for Handle {
 
 /// Two bodies whose boxes touch. Test their shapes with `overlaps`, `touches` or `contact`.
 ///
-/// `a` is the one with the smaller [key](super::Tag::key), at equal keys with the smaller slot.
+/// `a` is the one with the smaller [key](super::Tag::key); if keys are equal, with the smaller
+/// slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -146,11 +146,12 @@ impl PartialOrd for Pair {
     }
 }
 
-/// The value that a body carries in a broad phase. It decides which bodies it pairs with, and its
-/// position in canonical order.
+/// The value of a body in a broad phase. It decides with which bodies it pairs, and its position in
+/// canonical order.
 ///
-/// Called only for two whose boxes touch. `()` pairs with all and costs nothing,
-/// [`Filter`](crate::Filter) has layers, [`Keyed`] adds a key. For your own rule, write a type:
+/// It is used only for two bodies whose boxes touch. `()` pairs with all and costs nothing,
+/// [`Filter`](crate::Filter) has layers, and [`Keyed`] adds a key. For another rule, write your own
+/// type:
 ///
 /// ```
 /// use tilesat::broad::Tag;
@@ -165,10 +166,10 @@ impl PartialOrd for Pair {
 /// assert!(Team(1).pairs_with(&Team(2)) && !Team(1).pairs_with(&Team(1)));
 /// ```
 pub trait Tag: Copy {
-    /// The content of free slots.
+    /// The tag of free slots.
     const BLANK: Self;
 
-    /// Whether two bodies may pair; must be symmetric.
+    /// Whether two bodies may pair. It must be symmetric.
     #[inline]
     #[must_use]
     fn pairs_with(&self, other: &Self) -> bool {
@@ -176,8 +177,8 @@ pub trait Tag: Copy {
         true
     }
 
-    /// The body's place in canonical order, which does not depend on the order of insertion; unique
-    /// where that matters.
+    /// The body's position in canonical order. Choose unique keys if the order must not depend on
+    /// that of insertion.
     #[inline]
     #[must_use]
     fn key(&self) -> u32 {
@@ -198,14 +199,14 @@ impl Tag for Filter {
     }
 }
 
-/// A tag with a key that you choose: pairs sorted by it are the same in every order of insertion.
+/// A tag with a key that you choose. Pairs sorted by it do not depend on the order of insertion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Keyed<T = ()> {
     /// Unique among the bodies.
     pub key: u32,
-    /// The tag that decides which bodies it pairs with.
+    /// The tag that decides with which bodies it pairs.
     pub tag: T,
 }
 
@@ -223,14 +224,14 @@ impl<T: Tag> Tag for Keyed<T> {
     }
 }
 
-/// Why the broad phase did not take, move or find a body. It is as it was before.
+/// Why the broad phase did not insert, move or find a body. Nothing was changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BroadError {
     /// All slots are taken.
     Full {
-        /// How many there are.
+        /// The number of slots.
         capacity: u16,
     },
     /// The handle's body was removed.
@@ -242,14 +243,14 @@ pub enum BroadError {
     TooLarge {
         /// The longer side.
         size: i32,
-        /// The longest that fits.
+        /// The longest side that fits.
         limit: i32,
     },
     /// The box's centre is outside the grid, which refuses such bodies; in raw units.
     OutOfWorld {
-        /// The centre.
+        /// The raw x of the centre of the box.
         x: i32,
-        /// The centre.
+        /// The raw y of the centre of the box.
         y: i32,
     },
 }
@@ -285,13 +286,13 @@ impl fmt::Display for BroadError {
 
 impl core::error::Error for BroadError {}
 
-/// Why an enumeration of pairs stopped before its end. Nothing is lost.
+/// Why an enumeration of pairs stopped before its end. No pair is lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairsError {
     /// The budget of tests is spent: the next call continues from here.
     BudgetExceeded,
-    /// The list of pairs is full: take the pairs out, and the next call continues from here.
+    /// The list of pairs is full. Take the pairs out, and the next call continues from here.
     Full,
     /// A body was inserted or moved since the enumeration began: the cursor is at the start again.
     Changed,
@@ -311,9 +312,10 @@ impl fmt::Display for PairsError {
 
 impl core::error::Error for PairsError {}
 
-/// Why a query has no answer, or not the whole one.
+/// Why a query has no answer, or an incomplete one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum QueryError {
     /// An argument is out of range. The buffer is empty.
     Range(RangeError),
@@ -358,7 +360,7 @@ pub enum GridError {
     Columns {
         /// The requested columns.
         columns: u16,
-        /// The cells that there are.
+        /// The number of cells.
         cells: u16,
     },
     /// The origin is outside the domain.

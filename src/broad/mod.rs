@@ -1,8 +1,8 @@
-//! Many bodies: which of them are near each other, in fixed memory.
+//! Finds which of many bodies are near each other, in fixed memory.
 //!
 //! A broad phase keeps a box for each body and finds those whose boxes touch. You then run the
 //! exact queries on few pairs. It also finds the bodies near a point, in a region, on a ray or in
-//! the way of a box. [`BroadPhase`] is the interface; beside its box, each body carries a [`Tag`].
+//! front of a moving box. [`BroadPhase`] is the interface. Beside its box, each body has a [`Tag`].
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -12,7 +12,7 @@
 //! const SHOT: LayerMask = LayerMask::layer(1);
 //!
 //! let mut near = SortSweep::<64, Filter>::new();
-//! let mut balls = [Circle::new(Vec2::ZERO, Fx::ZERO)?; 64]; // the game's own, by slot
+//! let mut balls = [Circle::new(Vec2::ZERO, Fx::ZERO)?; 64]; // the data of the game, by slot
 //! for (x, layer, meets) in [(0, SHIP, SHOT), (6, SHOT, SHIP), (13, SHOT, SHIP)] {
 //!     let ball = Circle::new(Vec2::from_ints(x, 0), Fx::from_num(4))?;
 //!     let handle = near.insert(&ball.aabb(), Filter::new(layer, meets))?;
@@ -24,8 +24,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! One query each: at a point, in a region, near a point, and all pairs in parts. Calls with a list
-//! write their results in canonical order.
+//! This program shows queries at a point, in a region and near a point, and all pairs in parts.
+//! Calls with a list write their results in canonical order.
 //!
 //! ```
 //! use heapless::Vec;

@@ -4,8 +4,8 @@ use super::Handle;
 use crate::shape::Aabb;
 use core::cell::Cell;
 
-/// Puts the slots that are in use first, in the order that they have, the free ones behind, and
-/// counts them.
+/// Puts the slots in use first, in their current order, and the free ones behind. Returns their
+/// number.
 pub(in crate::broad) fn compact(order: &mut [u16], generations: &[u16]) -> u16 {
     let order = Cell::from_mut(order).as_slice_of_cells();
     let mut used = 0;
@@ -20,8 +20,8 @@ pub(in crate::broad) fn compact(order: &mut [u16], generations: &[u16]) -> u16 {
     used
 }
 
-/// Sorts by left sides: by insertion, which is fast where little has changed, until that took 8
-/// shifts a slot; then by a heap.
+/// Sorts by left sides: by insertion, which is fast if little has changed, up to 8 shifts per slot;
+/// then by a heap.
 #[inline(never)]
 pub(in crate::broad) fn sort(order: &mut [u16], bounds: &[Aabb]) {
     let order = Cell::from_mut(order).as_slice_of_cells();
@@ -41,8 +41,7 @@ pub(in crate::broad) fn sort(order: &mut [u16], bounds: &[Aabb]) {
     }
 }
 
-/// Puts the last slot, with this key, where it belongs among the others. Returns how many of them
-/// it passed.
+/// Inserts the last slot, with this key, among the others. Returns how many of them it passed.
 #[inline(never)]
 pub(in crate::broad) fn insert(order: &[Cell<u16>], bounds: &[Aabb], key: i32) -> usize {
     let Some((last, mut below)) = order.split_last() else { return 0 };

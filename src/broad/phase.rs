@@ -1,4 +1,4 @@
-//! The calls that all broad phases have in common.
+//! The methods that all broad phases have in common.
 
 use super::ask::{along, cast, nearest, neighbours, pairs_of, sorted_pairs, sorted_region};
 use super::table::{Budget, Spatial, Unlimited};
@@ -8,22 +8,22 @@ use crate::num::{Fx, Raw, Toi, Vec2};
 use crate::shape::Aabb;
 use heapless::VecView;
 
-/// Finds which bodies are near each other, by their boxes. One interface, four implementations, the
+/// Finds which bodies are near each other, by their boxes. There are four implementations with the
 /// same answers.
 ///
-/// Boxes that only touch count ("near" is closed). It misses nothing that `overlaps`, `touches` or
-/// `contact` of the shapes would find. Insert a circle by its [`aabb`](crate::Circle::aabb), a fast
-/// body by the box of its whole way.
+/// Boxes that only touch count ("near" is closed). So it misses nothing that `overlaps`, `touches`
+/// or `contact` of the shapes would find. Insert a circle by its [`aabb`](crate::Circle::aabb), and
+/// a fast body by the box of its whole motion.
 ///
 /// | question | closure, no order | in order, into a buffer |
 /// |---|---|---|
-/// | who is near whom? | [`pairs`](Self::pairs), in parts [`pairs_from`](Self::pairs_from) | [`pairs_sorted`](Self::pairs_sorted) |
-/// | who is near one of these? | [`pairs_of`](Self::pairs_of) | |
-/// | who is here? | [`in_region`](Self::in_region), [`at_point`](Self::at_point) | [`collect_region`](Self::collect_region) |
-/// | who is nearest? | | [`nearest`](Self::nearest), [`neighbours`](Self::neighbours) |
-/// | who is on the way? | [`along`](Self::along) | [`cast_ray`](Self::cast_ray), [`cast_shape`](Self::cast_shape) |
+/// | which bodies are near each other? | [`pairs`](Self::pairs), in parts [`pairs_from`](Self::pairs_from) | [`pairs_sorted`](Self::pairs_sorted) |
+/// | which bodies are near one of these? | [`pairs_of`](Self::pairs_of) | |
+/// | which bodies are here? | [`in_region`](Self::in_region), [`at_point`](Self::at_point) | [`collect_region`](Self::collect_region) |
+/// | which body is nearest? | | [`nearest`](Self::nearest), [`neighbours`](Self::neighbours) |
+/// | which bodies does this motion touch? | [`along`](Self::along) | [`cast_ray`](Self::cast_ray), [`cast_shape`](Self::cast_shape) |
 ///
-/// Code for all of them names the tag that bodies carry:
+/// Code that is generic over broad phases names the tag of the bodies:
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, LooseGrid, SortSweep};
@@ -40,7 +40,7 @@ use heapless::VecView;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// With a list `out`, a call empties it first, even if it then fails. Only
+/// A call with a list `out` empties it first, even if it then fails. Only
 /// [`pairs_from`](Self::pairs_from) appends. Only the types of this module implement the trait.
 #[doc(alias("AABB tree", "BVH", "quadtree", "DynamicTree", "MoveProxy", "raycast", "World"))]
 pub trait BroadPhase: Spatial {
@@ -48,7 +48,7 @@ pub trait BroadPhase: Spatial {
     ///
     /// # Errors
     /// [`Full`](BroadError::Full); grids also return [`TooLarge`](BroadError::TooLarge) or
-    /// [`OutOfWorld`](BroadError::OutOfWorld). Nothing was changed then.
+    /// [`OutOfWorld`](BroadError::OutOfWorld). Nothing is changed then.
     fn insert(&mut self, bounds: &Aabb, tag: Self::Tag) -> Result<Handle, BroadError> {
         let place = self.admit(bounds)?;
         let handle = self.slots().insert(bounds, tag)?;
@@ -56,11 +56,11 @@ pub trait BroadPhase: Spatial {
         Ok(handle)
     }
 
-    /// Gives a body another box, because it moved or changed its size.
+    /// Sets the box of a body that moved or changed its size.
     ///
     /// # Errors
-    /// [`Stale`](BroadError::Stale), and those of [`insert`](Self::insert) but `Full`. Nothing was
-    /// changed then.
+    /// [`Stale`](BroadError::Stale), and those of [`insert`](Self::insert) except `Full`. Nothing
+    /// is changed then.
     #[inline]
     fn move_to(&mut self, handle: Handle, bounds: &Aabb) -> Result<(), BroadError> {
         let slot = self.table().slot(handle)?;
@@ -70,12 +70,12 @@ pub trait BroadPhase: Spatial {
         Ok(())
     }
 
-    /// Moves every body. `to` gets its handle and its box, and returns the new box. One call per
-    /// frame is cheaper than one per body.
+    /// Moves every body. `to` receives its handle and its box, and returns the new box. One call
+    /// per frame is cheaper than one per body.
     ///
     /// # Errors
-    /// The first refusal, as of [`move_to`](Self::move_to), with the body: it stays where it was, and
-    /// the others move.
+    /// The first error of [`move_to`](Self::move_to), with the body. That body stays where it was,
+    /// and the others move.
     #[inline]
     fn move_each(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
         self.move_all(to)
@@ -117,7 +117,7 @@ pub trait BroadPhase: Spatial {
         bodies.tags.get(slot).copied().ok_or(BroadError::Stale(handle))
     }
 
-    /// Gives a body another tag, from the next enumeration on.
+    /// Sets the tag of a body, from the next enumeration on.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -127,7 +127,7 @@ pub trait BroadPhase: Spatial {
         Ok(())
     }
 
-    /// How many bodies there are.
+    /// The number of bodies.
     #[must_use]
     fn len(&self) -> usize {
         usize::from(self.table().state.len)
@@ -139,7 +139,7 @@ pub trait BroadPhase: Spatial {
         self.len() == 0
     }
 
-    /// Every body with its box and its tag, in the order of slots.
+    /// Calls `each` with every body, its box and its tag, in the order of slots.
     ///
     /// Cost: one look at each slot that was ever taken.
     ///
@@ -162,7 +162,7 @@ pub trait BroadPhase: Spatial {
     #[inline]
     #[doc(alias = "updatePairs")]
     fn pairs(&mut self, mut each: impl FnMut(Pair)) {
-        // With no budget and no refused pair, nothing stops it before its end.
+        // Without a budget and a refused pair, nothing stops it before its end.
         let _ = self.walk(&mut PairCursor::new(), &mut Unlimited, |pair| {
             each(pair);
             true
@@ -177,20 +177,20 @@ pub trait BroadPhase: Spatial {
     ///
     /// # Errors
     /// [`BudgetExceeded`](PairsError::BudgetExceeded) and [`Full`](PairsError::Full) if there are
-    /// more pairs, or may be. [`Changed`](PairsError::Changed) if bodies came or moved: the next
-    /// call begins from the first pair.
+    /// more pairs, or may be. [`Changed`](PairsError::Changed) if bodies were inserted or moved:
+    /// the next call begins from the first pair.
     fn pairs_from(&mut self, cursor: &mut PairCursor, budget: u32, out: &mut VecView<Pair>) -> Result<(), PairsError> {
         cursor.resume(self.slots().epoch())?;
         self.walk(cursor, &mut Budget(budget), |pair| out.push(pair).is_ok())
     }
 
-    /// Replaces the contents of `out` by all pairs in canonical order: by the
-    /// [key](super::Tag::key) of the first body, then by that of the second, then by slots. With
-    /// unique keys the answer depends neither on the order of insertion nor on the kind of broad
+    /// Replaces the contents of `out` by all pairs in canonical order. This is the order of the
+    /// [key](super::Tag::key) of the first body, then that of the second, then the slots. With
+    /// unique keys the result depends neither on the order of insertion nor on the kind of broad
     /// phase.
     ///
-    /// Cost: that of [`pairs`](Self::pairs), and at most 4 log2 k comparisons for each pair, where
-    /// k pairs are kept. 164 pairs among 512 bodies take some 130 000 instructions on a Cortex-M0.
+    /// Cost: that of [`pairs`](Self::pairs), and at most 4 log2 k comparisons for each pair, if k
+    /// pairs are kept. 164 pairs among 512 bodies take some 130 000 instructions on a Cortex-M0.
     ///
     /// # Errors
     /// [`Truncated`] if they do not fit: `out` then holds the first ones.
@@ -214,17 +214,17 @@ pub trait BroadPhase: Spatial {
         sorted_pairs(self, out)
     }
 
-    /// Every pair with at least one of the `movers`, once, in no particular order. It suits games
-    /// where few of many bodies move: two that rest do not have to be tested again. Bodies far from
-    /// all movers cost nothing.
+    /// Every pair with at least one of the `movers`, once, in no particular order. Use it if few of
+    /// many bodies move: two that rest do not have to be tested again. Bodies far from all movers
+    /// cost nothing.
     ///
     /// The movers may be in any order, and in the list more than once. Tags count as in
     /// [`pairs`](Self::pairs). With all bodies as movers the pairs are the same, at a higher cost.
     ///
-    /// Cost: one region query per mover, of its box; no memory. Of 512 bodies in 1024 x 768 units a
-    /// mover takes about 720 instructions on a Cortex-M0 in a grid, where all pairs take 250 per
-    /// body. It pays where less than a third of the bodies move. A broad phase without cells takes
-    /// 13 per mover and body, so there it pays for a few movers.
+    /// Cost: one region query per mover, of its box; no memory. On a Cortex-M0, with 512 bodies in
+    /// a grid of 1024 x 768 units, a mover takes about 720 instructions. All pairs take 250 per
+    /// body. So it pays if less than a third of the bodies move. A broad phase without cells takes
+    /// 13 per mover and body, so there it pays only for a few movers.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale), before any pair.
@@ -236,7 +236,7 @@ pub trait BroadPhase: Spatial {
     /// let mut near = BruteForce::<16>::new();
     /// let [crate_1, crate_2, ball] = [near.insert(&at(0)?, ())?, near.insert(&at(8)?, ())?, near.insert(&at(12)?, ())?];
     /// let mut met = Vec::new();
-    /// near.pairs_of(&[ball], |pair| met.push((pair.a, pair.b)))?; // the crates rest, side by side
+    /// near.pairs_of(&[ball], |pair| met.push((pair.a, pair.b)))?; // the crates rest side by side
     /// assert_eq!(met, [(crate_2, ball)]);
     /// assert!(near.contains(crate_1));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -246,8 +246,8 @@ pub trait BroadPhase: Spatial {
         pairs_of(self, movers, each)
     }
 
-    /// Every body whose box touches a region, once, in no particular order. If the region is a
-    /// body's own box, that body is among them.
+    /// Every body whose box touches a region, once, in no particular order. If the region is the
+    /// box of a body, that body is included.
     #[inline]
     #[doc(alias("queryRect", "overlapAABB"))]
     fn in_region(&self, region: &Aabb, mut each: impl FnMut(Handle)) {
@@ -268,7 +268,7 @@ pub trait BroadPhase: Spatial {
     /// by key, then by slot.
     ///
     /// Cost: that of [`in_region`](Self::in_region), and at most 4 log2 k comparisons for each body
-    /// found, where k bodies are kept.
+    /// found, if k bodies are kept.
     ///
     /// # Errors
     /// [`Truncated`] if they do not fit: `out` then holds the first ones.
@@ -276,15 +276,15 @@ pub trait BroadPhase: Spatial {
         sorted_region(self, region, out)
     }
 
-    /// The `wanted` body whose box is nearest to a point and at most `within` away. On a tie, the
-    /// one with the smaller key, then slot.
+    /// The body for which `wanted` is true whose box is nearest to a point and at most `within`
+    /// units away. On a tie, the one with the smaller key, then slot.
     ///
     /// With [`Fx::MAX`] there is no limit. Distances are compared by their exact squares. `wanted`
-    /// is called once per body at most, and not for those that would not be nearest.
+    /// is called at most once per body, and only for bodies that would be nearest.
     ///
-    /// Cost: without cells a look at every body. With cells those of a square that shrinks to the
-    /// nearest body found; at the worst all bodies. One root. Among 512 bodies in 1024 x 768 units
-    /// it takes 1 850 instructions on a Cortex-M0 in a grid, and 100 per body without cells.
+    /// Cost: without cells, a look at every body. With cells, those in a square that shrinks to the
+    /// nearest body found; in the worst case all bodies. One root. Among 512 bodies in 1024 x 768
+    /// units it takes 1 850 instructions on a Cortex-M0 in a grid, and 100 per body without cells.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -313,11 +313,12 @@ pub trait BroadPhase: Spatial {
         nearest(self, point, within, wanted)
     }
 
-    /// Replaces the contents of `out` by all `wanted` bodies whose boxes are at most `within` away
-    /// from a point, the nearest first. The order is that of [`nearest`](Self::nearest).
+    /// Replaces the contents of `out` by all bodies whose boxes are at most `within` units away
+    /// from a point, and for which `wanted` is true. The nearest comes first. The order is that of
+    /// [`nearest`](Self::nearest).
     ///
     /// Cost: a region query of the square around the point. Each body found takes at most 4 log2 k
-    /// comparisons, where k bodies are kept, and each body kept takes a root.
+    /// comparisons, if k bodies are kept, and each body kept takes a root.
     ///
     /// # Errors
     /// [`Range`](QueryError::Range) as `nearest`: `out` is empty then;
@@ -332,17 +333,17 @@ pub trait BroadPhase: Spatial {
         neighbours(self, point, within, wanted, out)
     }
 
-    /// Every body whose box a box touches on its way along `motion`, once, in no particular order,
+    /// Every body whose box a box touches as it moves by `motion`, once, in no particular order,
     /// with the [time](BroadHit::toi) of the first touch.
     ///
-    /// Closed and exact, in contrast to casts of shapes: both ends of the way and the borders
-    /// count. It misses nothing that a cast or a ray would hit. `each` returns how much of the
-    /// motion still matters: bodies that are touched later are left out, and a broad phase that
-    /// walks along the way does not even look at them. Return [`Toi::ONE`] to see all bodies, or
-    /// the time of the earliest exact hit so far to find the first hit.
+    /// It is closed and exact, in contrast to casts of shapes: both ends of the motion and the
+    /// borders count. It misses nothing that a cast or a ray would hit. `each` returns how much of
+    /// the motion still matters. Bodies that are touched later are left out, and a broad phase that
+    /// walks along the motion does not look at them. Return [`Toi::ONE`] to see all bodies, or the
+    /// time of the earliest exact hit so far to find the first hit.
     ///
-    /// Cost: without cells a look at every body, with cells at those of the cells on the way and
-    /// beside it; at the worst all bodies. A box that is not touched takes no division.
+    /// Cost: without cells, a look at every body. With cells, those in the cells on the path and
+    /// beside it; in the worst case all bodies. A box that is not touched takes no division.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -379,14 +380,14 @@ pub trait BroadPhase: Spatial {
         along(self, start, motion, each)
     }
 
-    /// Replaces the contents of `out` by all `wanted` bodies whose boxes a ray from `origin` along
-    /// `motion` touches, the earliest first. Of those at one time (in parts of 2^30) the one with
-    /// the smaller key comes first, then the smaller slot.
+    /// Replaces the contents of `out` by all bodies whose boxes a ray from `origin` along `motion`
+    /// touches, and for which `wanted` is true. The earliest comes first. At the same time (in
+    /// parts of 2^30) the one with the smaller key comes first, then the smaller slot.
     ///
-    /// Closed and exact. A box that holds the start is touched at 0, also from its border. A box
-    /// that is only grazed counts, and so does the very end.
+    /// It is closed and exact. A box that holds the start is touched at 0, also from its border. A
+    /// box that is only grazed counts, and so does the very end.
     ///
-    /// Cost: that of [`along`](Self::along), and at most 4 log2 k comparisons for each hit, where k
+    /// Cost: that of [`along`](Self::along), and at most 4 log2 k comparisons for each hit, if k
     /// hits are kept.
     ///
     /// ```text
@@ -413,8 +414,8 @@ pub trait BroadPhase: Spatial {
         cast(self, &Aabb::new(origin, origin)?, motion, wanted, out)
     }
 
-    /// The same for a box that moves: replaces the contents of `out` by the bodies that it could
-    /// run into.
+    /// Replaces the contents of `out` by the bodies that a moving box could run into, as
+    /// [`cast_ray`](Self::cast_ray) for a point.
     ///
     /// ```
     /// use heapless::Vec;

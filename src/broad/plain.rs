@@ -1,4 +1,4 @@
-//! Bodies without cells: each against every other one, or in the order of their left sides.
+//! Bodies without cells, tested each against every other one, or in the order of their left sides.
 
 use super::order::{compact, sort};
 use super::table::{Bodies, HasTable, Slots, Table};
@@ -8,7 +8,7 @@ use crate::num::LONG;
 use crate::shape::Aabb;
 use core::slice::Iter;
 
-/// The common part of both: they take any box, and a query tests each.
+/// The common part of both: they accept any box, and a query tests each.
 macro_rules! any_box {
     ($place:ty) => {
         type Place = $place;
@@ -26,8 +26,8 @@ macro_rules! any_box {
 trait PairScan {
     fn next<M: Meter>(&mut self, meter: &mut M) -> Stop;
 
-    /// How many rows are left after this one, and how many bodies it has still to be tested
-    /// against.
+    /// How many rows are left after this one, and against how many bodies it has still to be
+    /// tested.
     fn left(&self) -> (usize, usize);
 
     /// The slots of the two boxes that it found last, of `n` places.
@@ -65,11 +65,11 @@ fn pairs<T: Tag, M: Meter>(
     Ok(())
 }
 
-/// Up to N bodies, each tested against each. It is the fastest for a dozen, and defines the answers
-/// of the others.
+/// Up to N bodies, each tested against each. It is the fastest for a dozen bodies, and defines the
+/// answers of the others.
 ///
 /// Cost: N (N - 1) / 2 tests of boxes, most of them two comparisons; an insertion or a move is a
-/// store. RAM: box, tag and the generation's 2 bytes.
+/// store. RAM: box, tag and 2 bytes for the generation.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, BruteForce};
@@ -94,7 +94,7 @@ pub struct BruteForce<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> BruteForce<N, T> {
-    /// An empty broad phase, which may be a `static`: all its bits are zero, so it takes no flash.
+    /// An empty broad phase. It may be a `static`, which takes no flash: all its bits are zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: Table::new() }
@@ -149,7 +149,7 @@ struct EachScan<'a> {
     row: &'a Aabb,
     /// The bodies after the row's.
     rows: Iter<'a, Aabb>,
-    /// Those that it has still to be tested against.
+    /// The number of bodies against which it has still to be tested.
     later: Iter<'a, Aabb>,
 }
 
@@ -165,7 +165,7 @@ impl PairScan for EachScan<'_> {
     /// stays in registers.
     #[inline(never)]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Stop {
-        // Written back only at the end: until then they stay in registers.
+        // Written back only at the end, so they stay in registers until then.
         let Self { mut row, ref rows, ref later } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let step = 'found: loop {
@@ -199,12 +199,12 @@ impl PairScan for EachScan<'_> {
     }
 }
 
-/// Up to N bodies, sorted by their left sides: the fastest from a dozen to some hundreds of them,
-/// however large.
+/// Up to N bodies, sorted by their left sides. It is the fastest from a dozen to some hundreds of
+/// bodies of any size.
 ///
-/// A body is tested against those that begin where it reaches in x. The order is kept from one
-/// enumeration to the next, and bodies that move a little change it a little. A world that is
-/// higher than wide, or whose bodies fall in columns, is better given in with x and y exchanged.
+/// A body is tested against those whose left sides are within its extent in x. The order is kept
+/// from one enumeration to the next, and bodies that move a little change it a little. If a world
+/// is higher than wide, or its bodies fall in columns, exchange x and y.
 ///
 /// ```text
 ///  a +-----+          order of left sides: a b c d
@@ -215,15 +215,16 @@ impl PairScan for EachScan<'_> {
 ///         +---+
 /// ```
 ///
-/// Cost of an enumeration: the shifts that restore the order, one for each two bodies that changed
-/// places. After 8 N shifts, as where bodies were put anywhere, it runs a heap sort of N log N
-/// steps. A frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, one in which all were
-/// thrown about 190 000. Then comes a test of boxes for every two that touch in x, and one more per
-/// body: N (N - 1) / 2 where all touch in x. Nothing is sorted where nothing moved, and where an
-/// enumeration [continues](crate::broad::BroadPhase::pairs_from). An insertion or a move is a
-/// store. A query of a region or a point tests every body's box, and after an enumeration, as long
-/// as nothing moves, only those that begin before the region's right side. RAM: 2 bytes per body,
-/// beside box, tag and the generation's 2 bytes.
+/// Cost of an enumeration: first the shifts that restore the order, one for each two bodies that
+/// changed places. After 8 N shifts, for example if all bodies were placed elsewhere, it runs a
+/// heap sort of N log N steps. A frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, or
+/// 190 000 if all were placed elsewhere. Then comes a test of boxes for every two that touch in x,
+/// and one more per body: N (N - 1) / 2 if all touch in x. Nothing is sorted if nothing moved, or
+/// if an enumeration [continues](crate::broad::BroadPhase::pairs_from).
+///
+/// An insertion or a move is a store. A query of a region or a point tests the box of every body.
+/// After an enumeration, as long as nothing moves, it tests only those that begin before the
+/// region's right side. RAM: 2 bytes per body, beside box, tag and 2 bytes for the generation.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, SortSweep};
@@ -247,26 +248,25 @@ impl PairScan for EachScan<'_> {
 #[doc(alias("sweep and prune", "SAP"))]
 pub struct SortSweep<const N: usize, T = ()> {
     pub(super) table: Table<T, N>,
-    /// Every slot that was ever taken, once; those that were in use when it was last sorted are the
-    /// first.
+    /// Every slot that was ever taken, once. Those that were in use at the last sort come first.
     pub(super) order: [u16; N],
-    /// How many are sorted.
+    /// The number of sorted slots.
     pub(super) sorted: u16,
-    /// A body came or went.
+    /// A body was inserted or removed.
     pub(super) stale: bool,
-    /// When it was sorted.
+    /// The epoch of the last sort.
     pub(super) epoch: u32,
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {
-    /// An empty broad phase, which may be a `static`: all its bits are zero, so it takes no flash.
+    /// An empty broad phase. It may be a `static`, which takes no flash: all its bits are zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: Table::new(), order: [0; N], sorted: 0, stale: false, epoch: 0 }
     }
 }
 
-/// Whether the next body gets a slot that was never taken, which comes last in the order.
+/// Whether the next body receives a slot that was never taken, which comes last in the order.
 #[derive(Clone, Copy, Debug)]
 pub struct NewSlot(bool);
 
@@ -295,8 +295,8 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
         Ok(NewSlot(self.table.state.free == 0))
     }
 
-    /// As far as the first body that begins beyond the region, where nothing came or moved since
-    /// they were sorted.
+    /// Up to the first body that begins beyond the region, if nothing came or moved since the last
+    /// sort.
     fn visit(&self, region: &Aabb, mut each: impl FnMut(usize)) {
         let bodies = self.table.bodies();
         if bodies.state.moved || bodies.state.epoch != self.epoch {
@@ -308,7 +308,7 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
             if b.lo().x > high.x {
                 break;
             }
-            // Of a free slot the right side is before everything.
+            // The right side of a free slot is before everything.
             if b.hi().x >= low.x && b.lo().y <= high.y && b.hi().y >= low.y {
                 each(usize::from(slot));
             }
@@ -344,8 +344,8 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {
-    /// Sorts, unless nothing came or moved since: then an enumeration may be under way, and the
-    /// order has to stay as it is.
+    /// Sorts, unless nothing came or moved since. In that case an enumeration may be running, and
+    /// the order must not change.
     #[inline]
     fn sort_if_changed(&mut self) {
         let epoch = self.table.slots().epoch();
@@ -368,11 +368,11 @@ struct OrderedScan<'a> {
     bounds: &'a [Aabb],
     /// The slot whose pairs are looked for.
     row: u16,
-    /// The slot that touches it. Of narrow registers there are too few to keep it in one.
+    /// The slot that touches it. On narrow cores there are too few registers to keep it in one.
     other: u16,
     /// The slots after it.
     rows: Iter<'a, u16>,
-    /// Those that it has still to be tested against.
+    /// The number of bodies against which it has still to be tested.
     later: Iter<'a, u16>,
 }
 
@@ -394,13 +394,13 @@ impl PairScan for OrderedScan<'_> {
     /// Continues to two boxes that touch. Separate from the use of the pair: the box of the row
     /// stays in registers.
     ///
-    /// The next boxes begin at or beyond the row's left side. Each touches the row in x where it
+    /// The next boxes begin at or beyond the row's left side. Each touches the row in x if it
     /// begins before the row's right side. The right side of a free slot is before everything, and
     /// as a later one a free slot fails in y.
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     fn next<M: Meter>(&mut self, meter: &mut M) -> Stop {
-        // Written back only at the end: until then they stay in registers.
+        // Written back only at the end, so they stay in registers until then.
         let Self { order, bounds, mut row, ref rows, ref later, .. } = *self;
         let (mut rows, mut later) = (rows.clone(), later.clone());
         let (step, other) = 'found: loop {

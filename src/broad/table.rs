@@ -1,7 +1,7 @@
-//! The bodies of a broad phase by slot: boxes, tags and generations; and what each broad phase does
-//! with them in its own way.
+//! The bodies of a broad phase by slot: boxes, tags and generations; and the operations that each
+//! broad phase implements.
 //!
-//! The state of an enumeration of pairs, and its budget.
+//! Also the state of an enumeration of pairs, and its budget.
 
 use super::{BroadError, Handle, Pair, PairsError, Tag};
 use crate::num::{DOMAIN, Raw, Toi};
@@ -12,36 +12,36 @@ use crate::shape::Aabb;
 pub(super) struct Table<T, const N: usize> {
     pub(super) bounds: [Aabb; N],
     pub(super) tags: [T; N],
-    /// Odd where the slot is taken.
+    /// Odd if the slot is taken.
     pub(super) generations: [u16; N],
     pub(super) state: State,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct State {
-    /// One more than the slot freed last, or 0. An empty table is all zero: a static one takes no
-    /// flash.
+    /// One more than the slot freed last, or 0. An empty table is all zeros, so a static one takes
+    /// no flash.
     pub(super) free: u16,
     /// Slots from here on were never taken.
     pub(super) top: u16,
     pub(super) len: u16,
     /// A body came or moved in this epoch.
     pub(super) moved: bool,
-    /// Counts what disturbs an enumeration. It steps at most once an enumeration, so it does not
-    /// come round while one is under way.
+    /// Counts changes that disturb an enumeration. It steps at most once per enumeration, so it
+    /// does not wrap while one is running.
     pub(super) epoch: u32,
 }
 
 /// No slot.
 pub(super) const NIL: u16 = u16::MAX;
 
-/// A slot that nobody has any more: no box touches it. The left side is kept, which leaves an order
-/// by it as it is; the last word is one more than the next free slot, or 0.
+/// A slot without a body: no box touches it. The left side is kept, which leaves an order by it as
+/// it is; the last word is one more than the next free slot, or 0.
 pub(super) const fn dead(left: i32, next: u16) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: left, y: i32::MAX }, Raw { x: i32::MIN, y: next as i32 })
 }
 
-/// Whether two boxes have a point in common. False where one is of a free slot.
+/// Whether two boxes have a point in common. False if one is of a free slot.
 #[inline]
 pub(super) fn touch(a: &Aabb, b: &Aabb) -> bool {
     let (alo, ahi, blo, bhi) = (a.lo(), a.hi(), b.lo(), b.hi());
@@ -116,7 +116,7 @@ impl<'a, T: Tag> Bodies<'a, T> {
 }
 
 impl<T: Tag> Bodies<'_, T> {
-    /// The name of the body of a slot.
+    /// The handle of the body of a slot.
     #[inline]
     pub(crate) fn handle(&self, slot: usize) -> Handle {
         Handle::new(slot, self.generations.get(slot).copied().unwrap_or(0))
@@ -140,12 +140,12 @@ impl<T: Tag> Bodies<'_, T> {
         }
     }
 
-    /// The bodies of two slots as a pair, if they may be one: the smaller key first, then the
-    /// smaller slot.
+    /// The bodies of two slots as a pair, if they may pair: the smaller key first, then the smaller
+    /// slot.
     ///
     /// Test the boxes first. A frame of 64 bodies, each against each, then takes a Cortex-M0 31 600
-    /// instructions, whatever the masks are. With masks before boxes it is 69 300 where all may
-    /// pair and 45 100 where none may, because a test of boxes mostly ends at its first comparison.
+    /// instructions, whatever the masks are. With masks before boxes it takes 69 300 if all may
+    /// pair and 45 100 if none may, because a test of boxes mostly ends at its first comparison.
     #[inline]
     pub(super) fn pair(&self, i: usize, j: usize) -> Option<Pair> {
         let (Some(a), Some(b)) = (self.tags.get(i), self.tags.get(j)) else { return None };
@@ -178,7 +178,8 @@ impl<T: Tag> Slots<'_, T> {
     }
 
     /// Frees the slot of a body, and returns its tag. The slot keeps the left side and nothing else
-    /// of it: broad phases are equal whatever was removed, and so after a way through serde.
+    /// of it: so broad phases are equal whatever was removed, also after a round trip through
+    /// serde.
     pub(super) fn remove(&mut self, slot: usize) -> T {
         let places = (self.bounds.get_mut(slot), self.tags.get_mut(slot), self.generations.get_mut(slot));
         let (Some(place), Some(own), Some(generation)) = places else { return T::BLANK };
@@ -197,14 +198,14 @@ impl<T: Tag> Slots<'_, T> {
         self.state.moved = true;
     }
 
-    /// Gives every body another box. For where any box is taken.
+    /// Sets the box of every body, for broad phases that accept any box.
     #[inline]
     pub(super) fn set_each(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) {
         self.set_while(0, to, |_, _| true);
     }
 
-    /// Gives bodies other boxes, from a slot on and as long as `keep` takes them: the first that it
-    /// does not take is left to the caller.
+    /// Sets the boxes of bodies from a slot on, as long as `keep` accepts them. The first that it
+    /// refuses is left to the caller.
     #[inline]
     pub(super) fn set_while(
         &mut self,
@@ -228,7 +229,7 @@ impl<T: Tag> Slots<'_, T> {
         None
     }
 
-    /// The present epoch: a new one where bodies came or moved.
+    /// The current epoch: a new one if bodies came or moved.
     #[inline]
     pub(super) fn epoch(&mut self) -> u32 {
         if self.state.moved {
@@ -257,7 +258,7 @@ pub trait HasTable: Sized {
     fn slots(&mut self) -> Slots<'_, Self::Tag>;
 }
 
-/// How bodies are found, each broad phase in its own way.
+/// How a broad phase finds bodies.
 ///
 /// Sealed: nothing outside the crate implements it or needs to name it. The public face is
 /// [`BroadPhase`](super::BroadPhase), which has its [`Tag`](HasTable::Tag).
@@ -271,10 +272,10 @@ pub trait Spatial: HasTable {
     /// `TooLarge` and `OutOfWorld`.
     fn admit(&self, bounds: &Aabb) -> Result<Self::Place, BroadError>;
 
-    /// Takes a new body of the table in.
+    /// Inserts a new body of the table.
     fn link(&mut self, slot: usize, place: Self::Place);
 
-    /// The body has another box now; in the table too.
+    /// Updates a body whose box in the table has changed.
     fn relink(&mut self, slot: usize, place: Self::Place);
 
     /// Moves every body.
@@ -300,18 +301,18 @@ pub trait Spatial: HasTable {
         first
     }
 
-    /// The body is about to leave the table.
+    /// Removes a body that is about to leave the table.
     fn unlink(&mut self, slot: usize);
 
-    /// Clears what a free slot keeps of its last body for enumerations. For where none is under
-    /// way, as in a scene.
+    /// Clears what a free slot keeps of its last body for enumerations. Call it only if no
+    /// enumeration is running, as in a scene.
     fn forget(&mut self, _slot: usize) {}
 
-    /// All pairs from the cursor on, each once. Where `each` has no room the pair comes again.
+    /// All pairs from the cursor on, each once. If `each` has no room, the pair comes again.
     ///
     /// # Errors
-    /// `BudgetExceeded` and `Full`, with the cursor where it has to go on; at the end it is at the
-    /// start.
+    /// `BudgetExceeded` and `Full`, with the cursor at the position to continue; at the end it is
+    /// at the start.
     fn walk<M: Meter>(
         &mut self,
         cursor: &mut PairCursor,
@@ -325,11 +326,11 @@ pub trait Spatial: HasTable {
     /// ([`pairs_of`](super::BroadPhase::pairs_of)): they touch no region.
     fn visit(&self, region: &Aabb, each: impl FnMut(usize));
 
-    /// The slots of all bodies whose boxes a box touches on its way, borders and both ends
-    /// included, each once, in any order; other bodies may come, too. The box may be a point. Both
-    /// ends of the way are in the domain.
+    /// The slots of all bodies whose boxes a moving box touches, borders and both ends included,
+    /// each once, in any order. Other bodies may be included. The box may be a point. Both ends of
+    /// the motion are in the domain.
     ///
-    /// `each` answers which part of the way still matters: a body that is touched later than the
+    /// `each` returns which part of the motion still matters. A body that is touched later than the
     /// last answer, in whole parts of 2^30, may be skipped.
     fn visit_path(&self, start: &Aabb, motion: Raw, mut each: impl FnMut(usize) -> Toi) {
         let end = Aabb::from_raw_unchecked(start.lo().add(motion), start.hi().add(motion));
@@ -338,11 +339,11 @@ pub trait Spatial: HasTable {
         });
     }
 
-    /// The slots of all bodies whose boxes touch the square around a point that reaches so far to
-    /// each side, each once, in any order; other bodies may come, too. The point is in the domain
-    /// and `reach` is not negative.
+    /// The slots of all bodies whose boxes touch the square around a point with half side `reach`,
+    /// each once, in any order. Other bodies may be included. The point is in the domain and
+    /// `reach` is not negative.
     ///
-    /// `each` answers how far the square that still matters reaches: bodies that touch only the
+    /// `each` returns the half side of the square that still matters. Bodies that touch only the
     /// rest may be skipped.
     fn visit_near(&self, point: Raw, reach: i32, mut each: impl FnMut(usize) -> i32) {
         self.visit(&square(point, reach), |slot| {
@@ -358,18 +359,18 @@ pub(super) fn square(centre: Raw, reach: i32) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: low(centre.x), y: low(centre.y) }, Raw { x: high(centre.x), y: high(centre.y) })
 }
 
-/// The state of an enumeration of pairs between two calls. Plain data; at the start by default.
+/// The state of an enumeration of pairs between two calls. Plain data; the default is the start.
 ///
-/// It belongs to one broad phase, and to its snapshots only with a copy of the cursor made at the
-/// same time: where a snapshot is put back without that, begin with a new one, or pairs may be
-/// missed. Bodies may be removed in between; where one is inserted or moved the next call says
-/// [`Changed`](PairsError::Changed), once, and the call after that begins again.
+/// It belongs to one broad phase. If you restore a snapshot of the broad phase, also restore the
+/// cursor of that time, or begin with a new one. Otherwise pairs may be missed. You may remove
+/// bodies between two calls. If one is inserted or moved, the next call returns
+/// [`Changed`](PairsError::Changed) once, and the call after that begins again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PairCursor {
     pub(super) epoch: u32,
     pub(super) under_way: bool,
-    /// The rest of the present row or cell, as each broad phase sees it.
+    /// The rest of the current row or cell, as each broad phase defines it.
     pub(super) row: u16,
     pub(super) a: u16,
     pub(super) b: u16,
@@ -402,17 +403,17 @@ pub(super) enum Stop {
     Pair,
     /// The budget is spent.
     Spent,
-    /// There are no more.
+    /// There are no more pairs.
     End,
 }
 
-/// Counts the tests of an enumeration, or does not.
+/// Counts the tests of an enumeration, if it has a budget.
 pub trait Meter {
     /// Takes one test from the budget. False if none is left.
     fn spend(&mut self) -> bool;
 }
 
-/// No budget: costs nothing.
+/// No budget, which costs nothing.
 #[derive(Debug)]
 pub(super) struct Unlimited;
 
@@ -423,7 +424,7 @@ impl Meter for Unlimited {
     }
 }
 
-/// So many tests.
+/// A budget of this many tests.
 #[derive(Debug)]
 pub(super) struct Budget(pub(super) u32);
 

@@ -1,4 +1,4 @@
-//! A motion that reports its way.
+//! A motion that reports its path.
 
 use super::response::Law;
 use super::{Body, MoveError, Moved, Mover};
@@ -6,11 +6,12 @@ use crate::num::Vec2;
 use crate::world::{Traced, Trail, World};
 
 impl<S: Law> Mover<S> {
-    /// Like [`move_and_slide`](Self::move_and_slide), and writes the way that the body made.
+    /// Like [`move_and_slide`](Self::move_and_slide), and also writes the path of the body.
     ///
-    /// Use it to list all that a body passes: the level says what the body passes
+    /// Use it to list everything that a body passes. The level decides what the body passes
     /// ([`TileKinds::passing`](crate::TileKinds::passing), a shorter list of solids), and
-    /// [`TileMap::tiles_on`](crate::TileMap::tiles_on) and [`Solids::on`](crate::Solids::on) list it.
+    /// [`TileMap::tiles_on`](crate::TileMap::tiles_on) and [`Solids::on`](crate::Solids::on) list
+    /// those tiles and solids.
     ///
     /// Cost: that of `move_and_slide`. A program that calls both links the mover twice.
     ///

@@ -7,13 +7,13 @@ use core::cmp::Ordering;
 /// there is only one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
-    /// The side that the motion comes to along x.
+    /// The side that the motion reaches along x.
     X,
-    /// The side that it comes to along y.
+    /// The side that it reaches along y.
     Y,
     /// Both sides at once: a corner of a box meets their corner exactly.
     Both,
-    /// Of a rounded body, the corner toward these sides, each 1 or -1.
+    /// The corner of a rounded body toward these sides, each 1 or -1.
     Corner(i32, i32),
 }
 
@@ -42,7 +42,7 @@ impl Along {
         (gap < way && far.wrapping_add(r) > 0).then_some(Self { near, far, gap, way, side })
     }
 
-    /// Where this coordinate is when the body comes to the nearer side of the other axis, after
+    /// Where this coordinate is when the body reaches the nearer side of the other axis, after
     /// `gap / way` of the motion. A rounded body enters a side at its ends too.
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline)]
@@ -68,7 +68,7 @@ impl Along {
     }
 }
 
-/// Where a body is along one axis, as seen from the sides of a cell.
+/// The position of a body along one axis, relative to the sides of a cell.
 enum Place {
     Before,
     /// A box, exactly at the nearer side.
@@ -84,10 +84,10 @@ enum Place {
 /// entered, and the disc around that corner only in the corner's quadrant.
 ///
 /// ```text
-///   both :   Y    : beyond    Where the body comes to the line of the near side along x decides:
+///   both :   Y    : beyond    Where the body reaches the line of the near side along x decides:
 ///   - - -+--------+- - -      between the lines along y it enters X, after them at most the
 ///        |        |           corner beyond. Before them, the line along y decides likewise. The
-///     X  |  cell  |           body is r before the lines then; if it comes to both before the
+///     X  |  cell  |           body is r before the lines then; if it reaches both before the
 ///        |        |           sides begin, only the corner of both is ahead.
 ///   - - -+--------+- - -
 /// beyond :        :

@@ -1,5 +1,5 @@
 //! The first hit in a level that is a grid of tiles. It reads full cells straight from the grid,
-//! and makes only the features that a motion comes to.
+//! and makes only the features that a motion reaches.
 
 use super::block_entry::{Part, entered};
 use super::body::{Body, Entry};
@@ -53,7 +53,7 @@ struct BlockSweep<'a, W, B> {
     world: &'a W,
     body: PhantomData<B>,
     d: Raw,
-    /// The corner of the bounds that goes first. The motion comes to no face behind it.
+    /// The corner of the bounds that goes first. The motion reaches no face behind it.
     front: Raw,
     /// The part of the body that meets a face: its core.
     span: (Raw, Raw),
@@ -165,7 +165,7 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         self.sweep(&Face { a, dir, len, joined }, &found);
     }
 
-    /// Whether the motion comes to a cell only after its first hit so far: by more than the raw
+    /// Whether the motion reaches a cell only after its first hit so far: by more than the raw
     /// units that bounds of times may be early. One-way tiles always count.
     fn is_late(&self, block: &Block) -> bool {
         let Some((num, den)) = self.first.time() else { return false };

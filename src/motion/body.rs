@@ -9,19 +9,19 @@ use core::cmp::Ordering;
 /// [`Circle`], a [`Capsule`] that stands or lies, [`OrientedBox`], [`ConvexPolygon`], or an
 /// [`AnyShape`] of any of them.
 ///
-/// None of them turns during a call. A slanted capsule moves as an [`AnyShape`]: as a `Capsule` it
-/// is refused with a [`RangeError`](crate::RangeError) of
-/// [`Quantity::Capsule`](crate::Quantity::Capsule), and so is one without a radius. Turned boxes
-/// and shapes of any kind are refused with [`Quantity::Area`](crate::Quantity::Area) where they
-/// have no area.
+/// None of them turns during a call. A slanted capsule moves only as an [`AnyShape`]. As a
+/// `Capsule` it is refused with a [`RangeError`](crate::RangeError) of
+/// [`Quantity::Capsule`](crate::Quantity::Capsule), and so is a capsule without a radius. Oriented
+/// boxes and `AnyShape`s without area are refused with [`Quantity::Area`](crate::Quantity::Area).
 ///
-/// Boxes, circles and upright capsules cost least. In the same level a turned box takes 1.4 to 1.7
-/// of the instructions of a capsule on a Cortex-M0. Only a game that moves one links its code.
+/// Boxes, circles and upright capsules cost least. In the same level an oriented box takes 1.4 to
+/// 1.7 times the instructions of a capsule on a Cortex-M0. Only a game that moves one links its
+/// code.
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait Body: kernel::Kernel {
-    /// The reference position: the minimum corner of a box, the centre of a circle or a turned box,
-    /// the first end of a capsule's core, the first vertex of a polygon.
+    /// The reference position. It is the minimum corner of a box, the centre of a circle or an
+    /// oriented box, the first end of a capsule's core, or the first vertex of a polygon.
     fn position(&self) -> Vec2;
 }
 
@@ -75,7 +75,7 @@ pub struct Entry {
     pub(super) den: u32,
     /// Out of the solid, toward the body.
     pub(super) normal: Axis,
-    /// Whether other hits of the same moment go first. A box may meet a face only at its free end,
+    /// Whether other hits at the same moment win. A box may meet a face only at its free end,
     /// corner to corner, and another face over a length: the motion along that one passes this end.
     /// A body may meet the end of a quarter pipe: the surface beyond it goes first.
     pub(super) at_end: bool,
@@ -93,7 +93,8 @@ impl Entry {
         self.precedes(other).unwrap_or_else(|| opposition().then_with(|| by_size(self.normal, other.normal)).is_gt())
     }
 
-    /// The same for normals of any length: their parts along the motion compare as exact squares.
+    /// [`before`](Self::before) for normals of any length, whose parts along the motion are
+    /// compared as exact squares.
     pub(super) fn before_askew(&self, other: &Self, d: Raw) -> bool {
         self.precedes(other).unwrap_or_else(|| self.is_more_opposed(other, d))
     }
@@ -109,7 +110,7 @@ impl Entry {
             }
             unequal => unequal,
         };
-        // Of two lengths in one direction it takes the longer, mirrored or not.
+        // If two lengths have the same direction, the longer one wins, mirrored or not.
         opposition.then_with(|| by_size(self.normal, other.normal)).is_gt()
     }
 
@@ -118,7 +119,7 @@ impl Entry {
         self.normal.dot(Axis::new(d.x, d.y)).wrapping_neg()
     }
 
-    /// The same as far as the times and ends decide it.
+    /// The answer of [`before`](Self::before), if the times and ends decide it.
     pub(super) fn precedes(&self, other: &Self) -> Option<bool> {
         match self.time(other) {
             Ordering::Equal if self.at_end == other.at_end => None,
@@ -149,7 +150,8 @@ impl Entry {
         self.displacement_at(d, None)
     }
 
-    /// The same. `time` is `num / den` in parts of 2^30, rounded down, if that is known.
+    /// [`displacement`](Self::displacement) with a known `time`: `num / den` in parts of 2^30,
+    /// rounded down.
     pub(super) fn displacement_at(&self, d: Raw, time: Option<u32>) -> Raw {
         self.step.unwrap_or_else(|| {
             let slope = self.normal.x != 0 && self.normal.y != 0;
@@ -210,7 +212,8 @@ pub(super) mod kernel {
         const MEETS_CORNERS: bool;
         /// Whether it has sides in any direction. If not, the code for them is not linked.
         const ANGULAR: bool = false;
-        /// Whether the joints of faces matter. What they matter to meets no corners.
+        /// Whether the body needs to know how faces are joined: one with corners, or one without
+        /// area.
         fn meets_joints(&self) -> bool;
         /// The bounding box.
         fn bounds(&self) -> Aabb;
@@ -221,11 +224,12 @@ pub(super) mod kernel {
         /// The first moment of the motion at which the body would start to overlap the feature, if
         /// any.
         fn sweep(&self, d: Raw, feature: &Feature) -> Option<Entry>;
-        /// The same for features that are no arcs. If a level has none, their code is not linked.
+        /// [`sweep`](Self::sweep) for features that are not arcs. A level without arcs does not
+        /// link their code.
         fn sweep_straight(&self, d: Raw, feature: &Feature) -> Option<Entry> {
             self.sweep(d, feature)
         }
-        /// The same for worlds of [`BLOCKS`](World::BLOCKS).
+        /// [`sweep`](Self::sweep) for worlds of [`BLOCKS`](World::BLOCKS).
         fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry>;
         /// The box of the points that have the [radius](Self::rounding) around them: all of a box,
         /// the centre of a circle, the segment in the middle of a capsule.
@@ -267,7 +271,8 @@ pub(super) mod kernel {
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
-        /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels link.
+        /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels
+        /// link.
         #[inline(never)]
         fn sweep_in<W: World>(&self, d: Raw, feature: &Feature) -> Option<Entry> {
             if W::BLOCKS {

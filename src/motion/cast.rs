@@ -13,7 +13,7 @@ use crate::world::{
 };
 
 /// The hit of a body that was cast through a level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BodyHit<B> {
     /// The hit, its time and its normal. If the body starts inside, the time is 0, the axis is that
     /// of [`CastHit::inside`], and the other fields have no meaning.
@@ -27,8 +27,7 @@ pub struct BodyHit<B> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The first hit of a body that moves by `motion`, or `None` if the way is
-    /// free.
+    /// The first hit of a body that moves by `motion`, or `None` if nothing is hit.
     ///
     /// Exact. A hit is where the motion would start to overlap the solid. A body that touches and
     /// moves in hits at 0. A body that slides along, moves away, grazes, or ends touching does not
@@ -58,8 +57,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// Cost: a look at the cells under the motion if they are empty. Otherwise one sweep over them,
-    /// in pieces as long as a cell or the body, so linear in the motion's length, and one or two
-    /// exact overlap tests. [`BodyHit::work`] counts them.
+    /// in pieces as long as a cell or the body, and one or two exact overlap tests. So it is linear
+    /// in the length of the motion. [`BodyHit::work`] counts them.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -69,7 +68,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// let found = level.cast_shape(&ball, Vec2::from_ints(72, 18), Inside::Hit)?.unwrap();
     /// assert_eq!((found.hit.toi.to_fx(), found.hit.axis), (fx!(0.5), Axis::NEG_X));
     /// assert_eq!(found.body.centre(), Vec2::from_ints(44, 17));
-    /// assert_eq!(level.cast_shape(&ball, Vec2::from_ints(36, 0), Inside::Hit)?, None); // up to the wall
+    /// assert_eq!(level.cast_shape(&ball, Vec2::from_ints(36, 0), Inside::Hit)?, None); // it ends at the wall
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -88,7 +87,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// Generates the same method for another kind of level.
+/// Generates `cast_shape` for another kind of level.
 macro_rules! casts {
     ($(#[$doc:meta])* [$($parameters:tt)*] $world:ty) => {
         impl<$($parameters)*> $world {
@@ -96,7 +95,7 @@ macro_rules! casts {
             /// Follows the rules of [`TileMap::cast_shape`].
             ///
             /// # Errors
-            /// As there.
+            /// Those of [`TileMap::cast_shape`].
             pub fn cast_shape<B: Body>(
                 &self,
                 body: &B,
@@ -166,7 +165,7 @@ pub(super) fn cast<W: World, B: Body>(
     let mut search = Search::new(body, &mut around);
     search.pass_one_way = !rules.one_way;
     let beside = if is_by_lines::<W, B>() || (W::GRID && pieces > 1) {
-        // A hit at once ends the walk before it has visited all.
+        // A hit at the start ends the walk before it has visited all cells.
         search.find_on_way(world, d, &mut first) || first.is_within(0, 1)
     } else {
         search.find_first_in(world, pieces, d, &mut first);

@@ -5,16 +5,16 @@ use super::{Body, MoveError, Mover, Support, Walker};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
-use crate::world::{Solids, World};
+use crate::world::World;
 
-/// The hero of a platformer: it runs, jumps, walks on slopes and steps, drops through platforms and
-/// rides on [`Solid`](crate::Solid)s, or on solids of
-/// [any convex shape](crate::world::ConvexSolid).
+/// The hero of a platformer. It runs, jumps, walks on slopes and steps, drops through platforms and
+/// rides on [`Solid`](crate::Solid)s, or on solids of [any convex
+/// shape](crate::world::ConvexSolid).
 ///
-/// One call per frame does all of it: [`step`](Self::step), or [`step_on`](Self::step_on) if solids
-/// move. Each links only the code that it uses. `B` is the [body](crate::Body): an [`Aabb`], a
-/// [`Circle`](crate::Circle), a [`Capsule`](crate::Capsule), a turned box or a polygon. Plain data:
-/// a copy is a snapshot.
+/// Make one call per frame: [`step`](Self::step), or [`step_on`](Self::step_on) if solids move.
+/// Each links only the code that it uses. `B` is the [body](crate::Body): an [`Aabb`], a
+/// [`Circle`](crate::Circle), a [`Capsule`](crate::Capsule), an oriented box or a polygon. Plain
+/// data: a copy is a snapshot.
 ///
 /// ```
 /// use tilesat::{Aabb, Character, Feel, Input, Outcome, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -32,29 +32,29 @@ use crate::world::{Solids, World};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// If you need another rule, call the pieces yourself: [`Walker::walk`], [`Mover::ride`],
+/// If you need other rules, call the parts yourself: [`Walker::walk`], [`Mover::ride`],
 /// [`Solid::move_all`](crate::Solid::move_all), [`Joined`](crate::Joined).
 #[doc(alias("CharacterBody2D", "player", "enemy", "knockback", "dash", "spring"))]
 #[doc(alias = "KinematicCharacterController")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Character<B = Aabb> {
-    /// Units per frame. Change it to throw the character: a spring or a stomp sets `velocity.y`, a
-    /// ladder does in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step) adds
-    /// gravity first: a launch at -4 rises by 3.75 in its first frame. (A jump at 4 rises by 4.)
+    /// The velocity, in units per frame. You may change it: a spring or a stomp sets `velocity.y`
+    /// once, a ladder in each frame, with a [`Feel::gravity`] of 0. The next [`step`](Self::step)
+    /// adds gravity first: a launch at -4 rises by 3.75 in its first frame, a jump at 4 by 4.
     ///
-    /// If you make it rise faster than the last step left it, it leaves its floor as by a jump, and
-    /// has no coyote time. No release of the button cuts the rise.
+    /// If you set a faster rise than the last step left, the character leaves its floor as by a
+    /// jump, without coyote time. Releasing the button does not cut this rise.
     ///
-    /// On a moving solid it is the velocity seen from there. However the character leaves it (by a
-    /// jump, a drop, a launch, or over its edge), the solid's motion is added, and stays as
-    /// [`Feel::on_leave`] says.
+    /// On a moving solid, the velocity is relative to the solid. When the character leaves the
+    /// solid (by a jump, a drop, a launch, or over its edge), the solid's motion is added.
+    /// [`Feel::on_leave`] says how long it is kept.
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,
     pub(super) body: B,
     pub(super) limits: Aabb,
     pub(super) floor: Option<Support>,
-    /// The motion of the solid that it left. Seen from there, its flight is that on still ground.
+    /// The motion of the solid that it left, relative to which it flies as from still ground.
     pub(super) base: Vec2,
     /// How far it still falls through one-way floors below the solid that it dropped from.
     pub(super) through: Fx,
@@ -64,7 +64,7 @@ pub struct Character<B = Aabb> {
     pub(super) held: bool,
     /// Whether it rises from its own jump.
     pub(super) jumps: bool,
-    /// For how many more frames a press of the button counts.
+    /// For how many more frames a press of the button starts a jump.
     pub(super) wish: u8,
     /// Frames since it stood; the largest number after a jump.
     pub(super) away: u8,
@@ -74,9 +74,9 @@ pub struct Character<B = Aabb> {
 }
 
 impl<B: Body> Character<B> {
-    /// A character in the air. `limits` is usually the level's box. Once the body is outside of it
-    /// at the sides or below, [`step`](Self::step) returns [`Outcome::OutOfLevel`]. Above is
-    /// allowed, so a hero can jump over a side wall that ends there.
+    /// A character in the air. `limits` is usually the box of the level. Once the body is entirely
+    /// beside or below it, [`step`](Self::step) returns [`Outcome::OutOfLevel`]. The body may be
+    /// above it, so a hero can jump over a side wall that ends there.
     #[must_use]
     pub const fn new(body: B, limits: Aabb, feel: Feel) -> Self {
         Self {
@@ -97,14 +97,14 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// Puts the character at another position, in the air and at rest. Checks nothing: if it is in
-    /// the solid, the next step returns [`Outcome::Stuck`].
+    /// Puts the character at another position, in the air and at rest. Checks nothing: if the body
+    /// is in the solid, the next step returns [`Outcome::Stuck`].
     pub fn place(&mut self, body: B) {
         *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
     }
 
-    /// Takes the character into another [`Room`](crate::world::Room): its position changes by `by`,
-    /// and its limits become those of the room. Velocity, floor and timers go on.
+    /// Moves the character into another [`Room`](crate::world::Room). Its position changes by `by`,
+    /// and `limits` replaces its limits. Velocity, floor and timers are unchanged.
     ///
     /// Call it between two steps, with what [`Rooms::next`](crate::world::Rooms::next) or
     /// [`Room::next_of`](crate::world::Room::next_of) returns. Checks nothing in the level: both
@@ -142,8 +142,8 @@ impl<B: Body> Character<B> {
         Ok(())
     }
 
-    /// Changes the body where it stands, and keeps everything else: to crouch, to grow, to nudge
-    /// it. Returns whether there is room. If the new body would overlap the level, nothing changes.
+    /// Replaces the body, and keeps everything else: to crouch, to grow, or to nudge it. Returns
+    /// whether there is room. If the new body would overlap the level, nothing changes.
     ///
     /// Keep the feet where they are, or the character falls. With moving solids, pass the level
     /// [`Joined`](crate::Joined) with them.
@@ -166,7 +166,7 @@ impl<B: Body> Character<B> {
     ///     let _ = hero.step(&level, Input { run: fx!(1), ..Input::default() })?;
     /// }
     /// let up = sized(&hero, fx!(24))?;
-    /// assert!(!hero.set_body(&level, up)); // under the ceiling it has to stay low
+    /// assert!(!hero.set_body(&level, up)); // no room to stand up under the ceiling
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[doc(alias("crouch", "resize"))]
@@ -185,38 +185,14 @@ impl<B: Body> Character<B> {
         &self.body
     }
 
-    /// The floor that it stands on.
-    #[must_use]
-    pub const fn floor(&self) -> Option<Support> {
-        self.floor
-    }
-
-    /// Whether it stands on a floor.
-    #[doc(alias = "is_on_floor")]
-    #[doc(alias = "grounded")]
-    #[must_use]
-    pub const fn on_floor(&self) -> bool {
-        self.floor.is_some()
-    }
-
-    /// The key of the solid that it stands on. `None` across a solid and other floor of one height,
-    /// though the solid may carry it all the same.
-    #[must_use]
-    pub const fn ridden(&self) -> Option<u16> {
-        match self.floor {
-            Some(floor) => Solids::key_of(floor.cell),
-            None => None,
-        }
-    }
-
     /// Moves the character for one frame in a level without moving solids.
     ///
-    /// Cost: that of [`Walker::walk`].
+    /// Cost: one [`Walker::walk`].
     ///
     /// # Errors
     /// [`RangeError`] if a speed or the body's half extent is not below 4096 units, or the
-    /// [`Feel`]'s snap or step is negative or not below that. Always if the body cannot move: a
-    /// slanted capsule, or one without radius. The character is then unchanged.
+    /// [`Feel`]'s snap or step is negative or not below that. Always if the body cannot move, such
+    /// as a slanted capsule or one without radius. The character is then unchanged.
     pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {
         self.step_carried(level, input, Vec2::ZERO)
     }
@@ -235,7 +211,7 @@ impl<B: Body> Character<B> {
         if self.feel.falls_to_larger_y() { y } else { y.saturating_neg() }
     }
 
-    /// The speed of its fall.
+    /// The speed at which it falls.
     pub(super) const fn falls(&self) -> Fx {
         self.downward(self.velocity.y)
     }

@@ -1,5 +1,5 @@
 //! The surfaces that a body touches: the features within the rounding distance of its position,
-//! which way each of them faces there, and whether it lay there before.
+//! the direction in which each of them faces there, and whether the body touched it before.
 
 use super::body::{Body, Entry};
 use super::plane::{NEAR, Pipe, across, into, tangential};
@@ -11,8 +11,8 @@ use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World, corners_of, ends, normal};
 
 impl Plane {
-    /// Whether it is the tangent of a pipe, and a way in this direction leads into the pipe. Not at
-    /// one of its ends, nor if the way leads past one.
+    /// Whether it is the tangent of a pipe, and a way in this direction leads into the pipe. False
+    /// at its ends, or if the way leads past one.
     pub(super) fn is_pipe_ahead(&self, v: Raw) -> bool {
         let is_inside = self.normal.x != 0 && self.normal.y != 0;
         is_inside && into(v, self.normal) < 0 && self.pipe().is_some_and(|pipe| pipe.is_left_along(v))
@@ -93,7 +93,7 @@ pub(super) fn touched<W: World, B: Body>(body: &B, feature: &Feature, plane: &mu
     (W::ARCS || !matches!(feature.geometry, Geometry::Arc { .. })) && touched_any(body, feature, plane)
 }
 
-/// The same in any level.
+/// [`touched`] in any level.
 #[inline]
 pub(super) fn touched_any<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
     if B::ANGULAR {
@@ -105,7 +105,7 @@ pub(super) fn touched_any<B: Body>(body: &B, feature: &Feature, plane: &mut dyn 
     }
 }
 
-/// The same for a face or a vertex.
+/// [`touched`] for a face or a vertex.
 #[inline]
 fn touched_straight<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
     match feature.geometry {
@@ -124,7 +124,7 @@ fn touched_straight<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(
     }
 }
 
-/// The same for an arc.
+/// [`touched`] for an arc.
 #[inline(never)]
 fn touched_arc<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane)) -> bool {
     let Geometry::Arc { centre, radius, quadrant, convex } = feature.geometry else { return false };
@@ -154,8 +154,8 @@ fn touched_arc<B: Body>(body: &B, feature: &Feature, plane: &mut dyn FnMut(Plane
             return true;
         }
     }
-    // Beyond its ends an arc is a corner. To a circle the end of a pipe is also the end of a face,
-    // or a cusp, a corner of its own.
+    // Beyond its ends an arc is a corner. For a circle the end of a pipe is also the end of a face,
+    // or a cusp, which is a separate corner.
     let mut corner =
         |end: Raw| is_near(body, end, end) && (!convex && B::MEETS_CORNERS || is_at_corner(body, end, plane));
     let (first, second) = (corner(along_x), corner(along_y));
@@ -169,7 +169,7 @@ fn is_at_corner<B: Body>(body: &B, p: Raw, plane: &mut dyn FnMut(Plane)) -> bool
         let nearest = Raw { x: p.x.max(lo.x).min(hi.x), y: p.y.max(lo.y).min(hi.y) };
         let m = nearest.sub(p);
         if (lo.x < p.x && p.x < hi.x) || (lo.y < p.y && p.y < hi.y) {
-            // Beside the flat side of a capsule, along which the way is straight.
+            // Beside the flat side of a capsule, along which the motion is straight.
             plane(Plane::flat(Axis::new(m.x.signum(), m.y.signum())));
         } else if !m.is_zero() {
             plane(Plane { normal: Axis::new(m.x, m.y), bend: Bend::Convex });
@@ -188,17 +188,16 @@ fn sides(plane: &mut dyn FnMut(Plane)) {
 /// How a body came to the surface that it hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Came {
-    /// It lay there already: on the plane of the surface within the rounding distance, wherever
-    /// that is cut, or on a hop.
+    /// It was already there: on the plane of the surface within the rounding distance, wherever the
+    /// surface is cut, or on a hop.
     Lay,
-    /// On a hop, but now it is so fast that it goes round the corner or arc.
+    /// On a hop, but so fast that it moves around the corner or arc.
     Hopped,
     Flew,
 }
 
-/// A body that comes to a convex corner or arc lay on it one call ago if it left along its own
-/// tangent. Moving `s` along a tangent, it rises off a circle of radius `rho` by at most
-/// `s^2 / 2 rho`.
+/// A body that meets a convex corner or arc was on it one call ago if it left along a tangent.
+/// Moving `s` along a tangent, it rises off a circle of radius `rho` by at most `s^2 / 2 rho`.
 pub(super) fn came<W: World, B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> Came {
     let n = hit.normal;
     let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
@@ -218,11 +217,11 @@ fn came_to(plane: &Plane, u: Raw, made: Raw) -> Came {
     if is_no_hop(m, u, made) { Came::Flew } else { hops(m, across(u, n), made) }
 }
 
-/// How a body came from `m - made` to `m`, as seen from the centre: `|m|` is rho, `along / |m|` is
+/// How a body came from `m - made` to `m`, relative to the centre: `|m|` is rho, `along / |m|` is
 /// the speed along the tangent.
 ///
 /// That speed limits a hop, but it is not the hop's own. The game adds gravity before each call,
-/// and for small bodies that is most of the speed. So the position tells how far the hop went. It
+/// and for small bodies that is most of the speed. So the position shows how far the hop went. It
 /// is one if the tangent turned by less than a quarter of its length.
 fn hops(m: Raw, along: i64, made: Raw) -> Came {
     let (rho, was) = (isqrt64(m.len2()), isqrt64(m.sub(made).len2()));
@@ -236,7 +235,8 @@ fn hops(m: Raw, along: i64, made: Raw) -> Came {
     }
 }
 
-/// Whether it is known without a root that a body did not hop, as it mostly is: it was too far off.
+/// Whether it is known without a root that a body did not hop, because it was too far off, as in
+/// most cases.
 ///
 /// With the squares M of rho and W of the distance before, the gap between their roots is
 /// `(W - M) / (sqrt W + sqrt M)`. For W up to 4 M that is at least `(W - M) / 3 sqrt M`. Roundings
@@ -254,7 +254,7 @@ mod tests {
     use super::{Axis, Came, Raw, across, hops, is_no_hop};
     use tilesat_judge::{Random, cases, enough};
 
-    /// What is said without roots agrees with them: at all scales, also beside the limits.
+    /// The answers without roots agree with those by roots: at all scales, also beside the limits.
     #[test]
     fn no_hop_is_told_without_roots() {
         let (mut random, mut seen, mut told) = (Random::new(17), 0u32, 0u32);

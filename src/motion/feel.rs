@@ -1,5 +1,5 @@
-//! What a character takes and answers: the player's input, the numbers that decide how it moves,
-//! and what happened in a frame.
+//! The input and the results of a character: the player's buttons, the numbers that decide how it
+//! moves, and what happened in a frame.
 
 use super::{Hits, SlopeSpeed};
 use crate::num::{Axis, Fx};
@@ -8,22 +8,37 @@ use crate::num::{Axis, Fx};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Input {
-    /// The speed to run at, in units per frame: negative to the left. On a moving solid it counts
-    /// as seen from there, and after leaving one as [`Feel::on_leave`] says.
+    /// The speed to run at, in units per frame: negative to the left. On a moving solid it is
+    /// relative to the solid, and after leaving one as [`Feel::on_leave`] says.
     pub run: Fx,
     /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
-    /// Whether to drop through one-way floors in this frame. One frame is enough for the floor that
-    /// it stands on; while it stays true, it passes all that follow. On a one-way floor it wins
-    /// over `jump`.
+    /// Whether to drop through one-way floors in this frame. One frame is enough for the floor on
+    /// which the character stands. While it stays true, the character passes all floors that
+    /// follow. On a one-way floor it wins over `jump`.
     ///
-    /// Off a one-way solid, which may sink, one frame counts until the feet are [`Feel::snap`] and
-    /// its motion below it. Until then the character passes other one-way floors as well. A lift
-    /// that speeds up by more than half the gravity per frame may still catch it.
+    /// After one frame of `drop` on a one-way solid, the character keeps passing it. This ends when
+    /// its feet are below by [`Feel::snap`] plus the solid's downward motion. Until then the
+    /// character passes other one-way floors as well. A lift that speeds up by more than half the
+    /// gravity per frame may still catch it.
     pub drop: bool,
 }
 
-/// What becomes of the motion of a [`Solid`](crate::Solid) that a [`Character`](crate::Character)
+impl Input {
+    /// To run at a speed, without a jump or a drop; 0 to stand. `Input::default()` is that.
+    ///
+    /// ```
+    /// use tilesat::{Fx, Input, fx};
+    /// assert_eq!(Input::running(fx!(1.5)), Input { run: fx!(1.5), jump: false, drop: false });
+    /// assert_eq!(Input::running(Fx::ZERO), Input::default());
+    /// ```
+    #[must_use]
+    pub const fn running(speed: Fx) -> Self {
+        Self { run: speed, jump: false, drop: false }
+    }
+}
+
+/// How a [`Character`](crate::Character) uses the motion of a [`Solid`](crate::Solid) that it
 /// leaves, by a jump or over its edge.
 ///
 /// ```
@@ -42,7 +57,7 @@ pub struct Input {
 ///     }
 ///     Ok(hero.velocity.x)
 /// };
-/// assert_eq!(flies(OnLeave::Keep)?, fx!(0.5)); // -1.5, seen from the lift
+/// assert_eq!(flies(OnLeave::Keep)?, fx!(0.5)); // -1.5, relative to the lift
 /// assert_eq!(flies(OnLeave::Add)?, fx!(-1.5));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -51,16 +66,16 @@ pub struct Input {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("platform_on_leave", "lift boost", "inherit velocity"))]
 pub enum OnLeave {
-    /// It goes on until the character lands or meets a wall. Seen from the solid, the flight is
-    /// that on still ground: a hero that jumps on a train comes down where it jumped.
-    /// [`Input::run`] counts as seen from the solid too.
+    /// The motion is kept until the character lands or meets a wall. Relative to the solid, the
+    /// flight is the same as from still ground: a hero that jumps on a train lands where it jumped.
+    /// [`Input::run`] is relative to the solid, too.
     #[default]
     Keep,
-    /// It is added once. Then [`Feel::air_acceleration`] brings the speed to [`Input::run`] as seen
-    /// from the level.
+    /// The motion is added once. Then [`Feel::air_acceleration`] brings the speed to
+    /// [`Input::run`], relative to the level.
     Add,
-    /// As [`Add`](Self::Add), without the part of a jump off a solid that leads down: it rises as
-    /// high as one off still ground.
+    /// Like [`Add`](Self::Add), but a jump ignores the downward part of the solid's motion, so it
+    /// rises as high as from still ground.
     AddUpward,
 }
 
@@ -77,10 +92,10 @@ pub enum OnLeave {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Feel {
-    /// The velocity gained per frame. Positive pulls toward larger y, as on a screen. Negative
-    /// pulls the other way, and "up" follows.
+    /// The velocity gained per frame. A positive value pulls toward larger y, as on a screen. A
+    /// negative one pulls toward smaller y, and "up" follows.
     pub gravity: Fx,
-    /// The fastest fall. Off a solid that sinks it is faster by the speed of the solid.
+    /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid.
     pub fall: Fx,
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
     /// 2 in n frames.
@@ -88,11 +103,11 @@ pub struct Feel {
     /// The speed that a rising jump keeps when the button is released. If it equals `jump`, all
     /// jumps are equally high.
     pub jump_cut: Fx,
-    /// For how many frames after the body walked off the floor, or left a wall, it can still jump.
+    /// For how many frames the body can still jump after it walked off a floor or left a wall.
     pub coyote: u8,
-    /// For how many more frames a press of the button counts, if it comes before the landing. Zero:
-    /// only in the frame of the press. If the button is up again at the landing, the jump is cut
-    /// from its first frame.
+    /// For how many frames after a press the jump may still start. With zero, only in the frame of
+    /// the press. If the button is already released at the landing, the jump is cut from its first
+    /// frame.
     #[doc(alias = "jump_buffer")]
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
@@ -102,25 +117,25 @@ pub struct Feel {
     /// How far the body follows falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
     /// One and a half times the running speed is always enough for tiles.
     pub snap: Fx,
-    /// The highest step that it climbs: [`Walker::with_step`](crate::Walker::with_step). The
+    /// The highest step that the body climbs: [`Walker::with_step`](crate::Walker::with_step). The
     /// default stops at half of a tile of 16.
     pub step: Fx,
     /// How fast it walks on slopes.
     pub slope_speed: SlopeSpeed,
-    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps. It must have
-    /// run against the wall in the last [`coyote`](Self::coyote) frames. The same wall counts
-    /// again: if it comes back before it falls, it climbs.
+    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps. The character
+    /// must have run against the wall in the last [`coyote`](Self::coyote) frames. The same wall
+    /// can be used again, so a small speed lets it climb a single wall.
     pub wall_jump: Option<Fx>,
-    /// The fastest fall while it runs against a wall. `None`: as elsewhere.
+    /// The fastest fall while the body runs against a wall. `None`: the same as elsewhere.
     pub wall_slide: Option<Fx>,
-    /// What becomes of the motion of a solid that it leaves.
+    /// How the motion of a solid is used that the body leaves.
     pub on_leave: OnLeave,
 }
 
 impl Feel {
-    /// Gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames, acceleration
-    /// 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump and wall slide
-    /// are off. The motion of a solid is [kept](OnLeave::Keep).
+    /// The default: gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames,
+    /// acceleration 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump
+    /// and wall slide are off. The motion of a solid is [kept](OnLeave::Keep).
     pub const DEFAULT: Self = Self {
         gravity: Fx::from_bits(0x4000), // 0.25
         fall: Fx::from_bits(6 << 16),
@@ -156,10 +171,11 @@ pub enum Outcome {
     /// It moved, or stood.
     #[default]
     Moved,
-    /// A solid pressed it against something, and it stayed where it was: see [`Ride::Squashed`](super::Ride::Squashed).
-    /// You get it in each frame until that solid turns back or has passed; a round body may get it
-    /// for one frame more. Meanwhile the floor and the velocity stay as they were. A one-way solid
-    /// squashes nobody: without room, it passes through the character.
+    /// A solid pressed it against something, and it stayed where it was: see
+    /// [`Ride::Squashed`](super::Ride::Squashed). It is reported in every frame until that solid
+    /// turns back or has passed. A round body may report it for one frame longer. Meanwhile the
+    /// floor and the velocity stay as they were. A one-way solid squashes no character: without
+    /// room, it passes through.
     Squashed {
         /// The key of the solid.
         by: u16,
@@ -169,18 +185,18 @@ pub enum Outcome {
     /// It overlaps the level and did not move: it started in a wall, or a tile closed on it.
     /// `level.overlaps(hero.body())` is true.
     ///
-    /// With [`step_carried`](crate::Character::step_carried) in a [`Joined`](crate::Joined) level, a
-    /// solid that squashed it counts as level. [`step_on`](crate::Character::step_on) returns
+    /// With [`step_carried`](crate::Character::step_carried) in a [`Joined`](crate::Joined) level,
+    /// a solid that squashed it counts as level. [`step_on`](crate::Character::step_on) returns
     /// [`Squashed`](Self::Squashed) instead.
     Stuck,
-    /// It is entirely below its limits, or beside them. It may fly above them.
+    /// The body is entirely below its limits, or beside them. It may be above them.
     OutOfLevel,
 }
 
 /// What happened to a character in one frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[must_use = "the outcome says whether the character lives"]
-// Words first, as in a `Hit`.
+// Words come first, as in a `Hit`.
 #[repr(C)]
 pub struct Step {
     /// The hits of the frame.
@@ -190,7 +206,7 @@ pub struct Step {
     /// Whether it jumped.
     pub jumped: bool,
     /// Whether it landed on a floor. It may have slid off the end of that floor in the same frame.
-    /// Then it can still jump, as after it [walks](Feel::coyote) off one.
+    /// It can then still jump, as after [walking](Feel::coyote) off a floor.
     pub landed: bool,
     /// Whether a wall blocks it, or a ceiling that comes down to its floor.
     #[doc(alias = "is_on_wall")]
@@ -198,8 +214,8 @@ pub struct Step {
     /// Whether its head hit a ceiling.
     #[doc(alias = "is_on_ceiling")]
     pub ceiling: bool,
-    /// The flags of all tiles, segments and solids that it hit, or-ed. A floor that it stands on,
-    /// or walks on to, is no hit: see [`Character::floor`](crate::Character::floor).
+    /// The flags of all tiles, segments and solids that it hit, or-ed. A floor on which it stands
+    /// or walks is no hit: see [`Character::floor`](crate::Character::floor).
     pub flags: u8,
 }
 

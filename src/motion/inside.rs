@@ -18,14 +18,14 @@ pub enum StartInside {
     #[default]
     Report,
     /// The surfaces that the body overlaps do not stop it, so it can always leave, in any
-    /// direction. All other surfaces do. The motion may end in the solid again until its first free
-    /// position, and never after it. The next call tests again.
+    /// direction. All other surfaces stop it. Until the body has reached a free position, the
+    /// motion may end inside the solid; after that it never does. The next call tests again.
     ///
     /// **No gravity while it is inside.** If a door of tiles has closed on a body, the floor below
-    /// it has no face any more (solid lies on solid). A body that falls there goes through the
-    /// floor, and out of the world. Test `overlaps` of the level before each call. While that is
-    /// true, give the body a velocity across "up" only. [Doors](crate::motion#doors) shows how to
-    /// avoid this.
+    /// the door has no face any more (solid lies on solid). A body that falls there passes through
+    /// the floor, and leaves the world. Test `overlaps` of the level before each call. While that
+    /// is true, give the body only a velocity across "up". [Doors](crate::motion#doors) shows how
+    /// to avoid this.
     ///
     /// ```text
     ///        | door |
@@ -35,26 +35,26 @@ pub enum StartInside {
     Ignore,
 }
 
-/// How often [`escape`] pushes at most.
+/// The most pushes of one [`escape`].
 const PUSHES: u32 = 4;
 
 /// Pushes a body out of the solid, at most four times, and returns it at the free position. A body
-/// that is free already comes back unchanged.
+/// that is already free is returned unchanged.
 ///
 /// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts): the
 /// nearest, by the depth rounded up to raw units, at most 4 raw more. So a push never goes farther
-/// than the surface that the body reaches. Deep inside of the solid, where the body reaches no
-/// surface, and in gaps narrower than the body there is no way out. One-way faces do not count.
+/// than the surface that the body reaches. There is no way out deep inside the solid, where the
+/// body reaches no surface, and in gaps narrower than the body. One-way faces do not count.
 ///
 /// **It finds no way out of a door that is wider than the body** once the body is between both
 /// sides: it reaches neither. Take a body 10 wide in a door of one tile, from x = 32 to 48. At x =
-/// 31 it goes 9 to the left, at 39 it goes 9 to the right. From 32 to 38 the result is [`Stuck`].
-/// [Doors](crate::motion#doors) shows how to avoid this.
+/// 31 it is pushed 9 to the left, at 39 it is pushed 9 to the right. From 32 to 38 the result is
+/// [`Stuck`]. [Doors](crate::motion#doors) shows how to avoid this.
 ///
-/// Of a compound that several features hold, each push leads all parts out of one feature.
+/// If several features hold a compound, each push moves all its parts out of one of them.
 ///
-/// Cost: an exact overlap test. If that is true, the [contacts](crate::TileMap::contacts) of one
-/// body and another test, at most four times. Only a game that calls it links the code for
+/// Cost: an exact overlap test. If the body overlaps, the [contacts](crate::TileMap::contacts) of
+/// one body and another test, at most four times. Only a game that calls it links the code for
 /// contacts.
 ///
 /// ```
@@ -68,7 +68,7 @@ const PUSHES: u32 = 4;
 /// ```
 ///
 /// # Errors
-/// [`Stuck`] if no further push could free it, or a push would leave the domain.
+/// [`Stuck`] if no further push could free the body, or a push would leave the domain.
 pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, Stuck> {
     let stuck = Stuck { at: body.position().raw() };
     let mut body = *body;
@@ -86,18 +86,19 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
     if body.overlaps_world(world) { Err(stuck) } else { Ok(body) }
 }
 
-/// Turns a body in a level: exchanges it for `turned`, which has another direction or size, and
-/// pushes that out if it has no room. It never ends inside.
+/// Turns a body in a level: replaces it by `turned`, which has another direction or size, and
+/// pushes that out of the solid if necessary. The result is never inside.
 ///
 /// The body must be free. If `turned` is free too, that is the result. Otherwise it is pushed as by
-/// [`escape`], and only to where a point gets from the middle of the body to its own on a straight
-/// line. So a thin wall is never between the two. One-way faces do not count. Of a compound that
-/// holds for the middle of each part; both have as many parts, in the same order.
+/// [`escape`]. The straight line from the middle of `body` to the middle of the result must be free
+/// for a point. So a thin wall is never between the two. One-way faces do not count. For a
+/// compound, this applies to the middle of each part. Both compounds must have equally many parts,
+/// in the same order.
 ///
-/// It looks at the start and at the end, not at the way between them. Turn by small steps if
-/// something thin could fit into the angle.
+/// It looks only at the start and at the end, not at the positions between them. Turn by small
+/// steps if something thin could fit into the angle.
 ///
-/// Cost: that of `escape`, and of the cast of a point where something was pushed.
+/// Cost: that of `escape`, and one cast of a point if something was pushed.
 ///
 /// ```
 /// use tilesat::motion::turn;

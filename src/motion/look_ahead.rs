@@ -1,4 +1,4 @@
-//! What a character looks for before it moves: corners that it can pass, and ledges.
+//! Looks ahead of a character for corners that it can pass, and for ledges.
 
 use super::character::refused;
 use super::feel::{Input, Outcome};
@@ -13,8 +13,9 @@ impl<B: Body> Character<B> {
     /// pass from there: *corner correction*. Returns whether it moved.
     ///
     /// Call it before [`step`](Self::step) or [`step_on`](Self::step_on), with the same input. It
-    /// looks at the velocity that this step will start with, as [`Mover::assist`](crate::Mover::assist) does. With moving
-    /// solids, pass the level [`Joined`](crate::Joined) with them.
+    /// looks at the velocity that this step will start with, as
+    /// [`Mover::assist`](crate::Mover::assist) does. With moving solids, pass the level
+    /// [`Joined`](crate::Joined) with them.
     ///
     /// Cost: that of [`Mover::assist`](crate::Mover::assist). You link it only if you call it.
     ///
@@ -42,7 +43,7 @@ impl<B: Body> Character<B> {
     pub fn assist<W: World>(&mut self, level: &W, input: Input, reach: Fx) -> Result<bool, RangeError> {
         let mut next = *self;
         let velocity = next.plan(input, Vec2::ZERO)?.velocity;
-        // Level, it only makes sure of the numbers.
+        // If it does not rise, the call only checks the numbers.
         let rises = if self.downward(velocity.y) < 0 { velocity } else { Vec2::ZERO };
         match self.mover().assist(level, &self.body, rises, reach) {
             Ok(aside) => {
@@ -54,30 +55,30 @@ impl<B: Body> Character<B> {
         }
     }
 
-    /// Whether the floor ends ahead: whether it would fall if it walked on by `far` and its own
-    /// width. If the answer is `false`, its front can go on by `far`, and stays on the floor. The
-    /// sign of `far` is the direction.
+    /// Returns whether the floor ends within `far` plus the width of the body. The sign of `far` is
+    /// the direction. If the answer is `false`, the body's front can move on by `far` and stays on
+    /// the floor.
     ///
-    /// **How far.** A patrol that turns a frame later goes on by the way of that frame and by its
-    /// braking distance. If its speed is then `v`, pass `v + v * v / (2 * a)` with the
-    /// [`Feel::acceleration`](crate::Feel::acceleration) `a`, and the sign of its direction. Then its front never leaves
-    /// the floor. If `a` is at least `v`, it stops in one frame, and `v` is enough. The chapter on
-    /// walkers in the guide has the program, also for short platforms.
+    /// **How far.** A patrol that turns in the next frame still moves by that frame's motion and by
+    /// its braking distance. If its speed is then `v`, pass `v + v * v / (2 * a)` with the
+    /// [`Feel::acceleration`](crate::Feel::acceleration) `a`, and the sign of its direction. Then
+    /// its front never leaves the floor. If `a` is at least `v`, it stops in one frame, and `v` is
+    /// enough. The chapter on walkers in the guide has the program, also for short platforms.
     ///
-    /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are no ledges, and neither
-    /// are gaps that are narrower than the body. A gap as wide as a box is a ledge, even if the box
-    /// would step over it: it may stop in it. One-way floors are floors. In the air the answer is
-    /// `false`.
+    /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are not
+    /// ledges, and neither are gaps that are narrower than the body. A gap as wide as a box is a
+    /// ledge, even if the box would step over it, because the box may stop in it. One-way floors
+    /// are floors. In the air the answer is `false`.
     ///
-    /// It looks in steps of five eighths of the snap. Of a body that is no box, a step may pass a
-    /// gap that is wider than the body by less than that: ask in every frame.
+    /// It looks in steps of five eighths of the snap. If the body is not a box, one look may skip a
+    /// gap that is wider than the body by less than a step. Call it in every frame.
     ///
-    /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and a look down for
-    /// each that a box makes. That are four walks for a body of 10 units at a speed of 1, more than
-    /// all else that a patrol does in a frame. Up to twenty more follow where the floor has a gap
-    /// that is nearly as wide as the box. To save it, ask in every `n`-th frame, with `far` larger
-    /// by `(n - 1) * v`. If `far` and the width are more than ten times the snap, the steps are
-    /// longer, and slopes that lead down may count as ledges: raise the snap.
+    /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and
+    /// a look down for each that a box makes. For a body of 10 units at a speed of 1 that is four
+    /// walks, more than the rest of the patrol's frame. Up to twenty more follow where the floor
+    /// has a gap that is nearly as wide as the box. To save time, call it in every `n`-th frame,
+    /// with `far` larger by `(n - 1) * v`. If `far` and the width are more than ten times the snap,
+    /// the steps are longer. Slopes that lead down may then count as ledges: raise the snap.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -116,14 +117,14 @@ impl<B: Body> Character<B> {
     }
 }
 
-/// A walk that is only looked at.
+/// A walk that looks ahead and moves nothing.
 struct Ahead<'a, W> {
     walker: Walker,
     level: &'a W,
 }
 
 impl<W: World> Ahead<'_, W> {
-    /// Whether a body on a floor comes to a place without one on its way, part by part.
+    /// Whether a body on a floor reaches a position without a floor, part by part.
     fn finds_ledge<B: Body>(
         &self,
         mut body: B,
@@ -137,7 +138,7 @@ impl<W: World> Ahead<'_, W> {
             let walked = self.walk(&body, if back { way.saturating_neg() } else { way }, floor)?;
             let Some(next) = walked.floor else { return Ok(true) };
             let to = walked.moved.body;
-            // Bodies with round or slanted feet sink into such gaps, and are seen in them.
+            // Bodies with round or slanted feet sink into such gaps, and the walk finds that.
             if !B::MEETS_CORNERS && self.passes_gap(body.bounds(), to.bounds(), floor)? {
                 return Ok(true);
             }
@@ -153,8 +154,8 @@ impl<W: World> Ahead<'_, W> {
 
     /// Whether a box has a place without a floor between two that have one.
     ///
-    /// All places between have in common what the two have. If that alone stands, so do they. Else
-    /// the middle tells: if it stands, one half has enough in common.
+    /// All positions between contain the part that the two have in common. If that part alone
+    /// stands, so do they. Else the middle decides: if it stands, one half has enough in common.
     fn passes_gap(&self, mut from: Aabb, mut to: Aabb, floor: Support) -> Result<bool, MoveError> {
         while !self.is_bridged(&from, &to, floor)? {
             let half = (to.lo().x.wrapping_sub(from.lo().x)) / 2;

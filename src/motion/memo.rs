@@ -1,4 +1,4 @@
-//! Calls that repeat the last one of their body, answered without a look at the level.
+//! Repeats the answer to the last call of a body without a look at the level.
 
 use super::response::{Law, Smooth};
 use super::{Body, MoveError, Moved, Mover, Work};
@@ -8,8 +8,8 @@ use crate::world::World;
 /// The last call that left its body where it was, and the answer.
 ///
 /// A body at rest makes the same call in each frame: the same position, the same velocity
-/// (gravity's first step), the same mover. A memo answers such a call by comparing the arguments,
-/// whatever holds the body: a floor, a V, two domes. The answer is that of
+/// (gravity's first step), the same mover. A memo answers such a call by comparing the arguments.
+/// It works for every support: a floor, a V, two domes. The answer is that of
 /// [`Mover::move_and_slide`], bit for bit, except [`Moved::work`], which is zero.
 ///
 /// One memo belongs to one body. It is plain data: a copy is a snapshot.
@@ -27,7 +27,7 @@ use crate::world::World;
 ///     let moved = memo.move_and_slide(&mover, &map, 0, &body, gravity)?;
 ///     body = moved.body;
 ///     assert!(moved.floor);
-///     assert_eq!(moved.work.iterations, u32::from(frame == 0)); // one look in ten frames
+///     assert_eq!(moved.work.iterations, u32::from(frame == 0)); // one look at the level in ten frames
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -70,7 +70,7 @@ impl<B: Body + PartialEq, S: Law + PartialEq> Memo<B, S> {
     /// Moves a body as [`Mover::move_and_slide`] does, or repeats the last answer.
     ///
     /// `version` stands for the level. Pass another number whenever the level may have changed: a
-    /// door opened, a [`Solid`](crate::Solid) moved, another room. Any number that you count up is
+    /// door opened, a [`Solid`](crate::Solid) moved, or the body is in another room. A counter is
     /// enough, and one number serves all bodies.
     ///
     /// Cost: a repeated call compares the memo with the arguments and copies the answer. Any other
@@ -81,7 +81,7 @@ impl<B: Body + PartialEq, S: Law + PartialEq> Memo<B, S> {
     ///
     /// # Panics
     /// Builds with debug assertions also make the repeated call. They panic if the level changed
-    /// without another version.
+    /// and `version` did not.
     pub fn move_and_slide<W: World>(
         &mut self,
         mover: &Mover<S>,

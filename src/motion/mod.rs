@@ -2,36 +2,35 @@
 //!
 //! [`Mover::move_and_slide`] sweeps a box, a circle or a capsule against the level's
 //! [features](crate::world::Feature) and stops it exactly where it first touches. The [`Response`]
-//! then decides the new velocity, and the rest of the motion goes on with it, at most
-//! [`Mover::ITERATIONS`] times. Every new position passes the level's exact overlap test before it
-//! is kept (*verify, then commit*). A body that starts outside of the solid therefore ends outside
-//! of it, at any speed.
+//! then decides the new velocity for the rest of the motion, at most [`Mover::ITERATIONS`] times.
+//! Every new position passes the level's exact overlap test before it is kept (*verify, then
+//! commit*). A body that starts outside of the solid therefore ends outside of it, at any speed.
 //!
 //! | question | answer |
 //! |---|---|
 //! | Does a seam between tiles stop or lift a body? | No: interior faces and flat joints have no features. |
 //! | Is a surface a hit if the body touches it, but does not move into it? | No. Add gravity in every frame, on the ground too, or `floor` stays false. |
-//! | A box hits a corner on both sides at once? | It hits the side that opposes the motion more, the vertical one on a tie. |
-//! | A circle at a corner? | It goes around as an exact disc: no square corners. |
-//! | A capsule at a corner? | Its ends go around as discs, its sides slide straight. |
-//! | From slope to slope, from a floor into a quarter pipe? | The body feels no joint, and keeps the part of its velocity along the surface. |
-//! | A wedge that is too narrow? | The body stops where it touches both sides, and rests there. |
-//! | Gravity in a V, a bowl, between domes? | The body comes to rest and stays: the same position and velocity for ever. |
-//! | One-way faces? | They block a body that is entirely in front when the motion starts, and that moves in. They block nothing else. |
-//! | A platform moves under the body, a door against it? | [`Mover::ride`] carries it, pushes it, or reports that it is [squashed](Ride::Squashed). |
-//! | The platform is a slope, a ball, or turns? | [`Mover::ride_convex`] does the same. |
-//! | The body starts inside the solid? | [`Stuck`]: nothing moves. [`StartInside::Ignore`] lets it leave, but then use **no gravity while it is inside**, or it falls through the floor below a closed door. [`escape`] pushes out a body that reaches the surface. Better: never [close a door](#doors) on it. |
+//! | On which side does a box hit a corner that it meets exactly? | On the side that opposes the motion more; on a tie, on the vertical one. |
+//! | How does a circle pass a corner? | It moves around it as an exact disc, not as a square. |
+//! | How does a capsule pass a corner? | Its ends move around it as discs, its sides slide straight. |
+//! | Does a joint between two slopes, or of a floor and a quarter pipe, stop a body? | No. The body keeps the part of its velocity along the surface. |
+//! | What happens in a wedge that is too narrow? | The body stops where it touches both sides, and rests there. |
+//! | Does a body under gravity rest in a V, in a bowl, between domes? | Yes. It keeps the same position and velocity for ever. |
+//! | What do one-way faces block? | Only a body that is entirely in front of them when the motion starts, and that moves in. |
+//! | What if a platform moves under the body, or a door against it? | [`Mover::ride`] carries it, pushes it, or reports that it is [squashed](Ride::Squashed). |
+//! | What if the platform is a slope or a ball, or turns? | Use [`Mover::ride_convex`] instead. |
+//! | What if the body starts inside the solid? | The call returns [`Stuck`], and nothing moves. [`StartInside::Ignore`] lets the body leave, but then use **no gravity while it is inside**, or it falls through the floor below a closed door. [`escape`] pushes out a body that reaches the surface. It is better never to [close a door](#doors) on a body. |
 //!
 //! # Doors
 //!
 //! You close a door by changing tiles, which moves no body, or by moving a [`Solid`](crate::Solid),
 //! which does. Each of these keeps bodies out of it:
 //!
-//! - **Ask first.** While `door.overlaps(&body)` is true for any body, the door stays open.
-//! - **Let it come.** A door that is a moving [`Solid`](crate::Solid) pushes bodies out of its way
-//!   with [`Mover::ride`], or reports that one is [squashed](Ride::Squashed). Then stop the door,
-//!   or the body is lost. Once the door is closed, tiles can replace it.
-//! - **Remember.** Keep the last position at which the level did not overlap the body, and put the
+//! - **Test first.** Keep the door open while `door.overlaps(&body)` is true for any body.
+//! - **Push.** A door that is a moving [`Solid`](crate::Solid) pushes bodies aside with
+//!   [`Mover::ride`], or reports that one is [squashed](Ride::Squashed). Then stop the door, or end
+//!   the body. Once the door is closed, tiles can replace it.
+//! - **Put back.** Keep the last position at which the level did not overlap the body, and put the
 //!   body back there.
 //!
 //! ```
@@ -74,7 +73,7 @@
 //! };
 //! let start = (Aabb::new(Vec2::from_ints(4, 2), Vec2::from_ints(12, 14))?, Vec2::from_ints(1, 0));
 //!
-//! // `speed` parts of a step for each of so many pictures; what is drawn, and the last step's state.
+//! // Plays `pictures` pictures of `speed / 60` steps each. Returns the last state, and what is drawn.
 //! let play = |speed: u32, pictures: u32| {
 //!     let (mut time, mut before, mut now) = (0, start, start);
 //!     let mut drawn = start.0.min();
@@ -119,7 +118,7 @@ pub mod response {
     //!
     //! Small functions and plain values over the public types, for movers and for games that
     //! resolve contacts themselves. They push a body out, split its velocity at the surface, and
-    //! scale both parts, only where the body moves in. Two bodies share a push by their masses.
+    //! scale both parts, but only if the body moves in. Two bodies share a push by their masses.
     //! Lengths are in units, velocities in units per frame, accelerations in units per frame
     //! squared. Rounding never gains speed, never leads into a surface, and is the same for both
     //! signs.
@@ -128,11 +127,11 @@ pub mod response {
     //! |---|---|
     //! | Which part of this velocity goes into the surface? | [`split`] |
     //! | What is the velocity after the contact? | [`slide`], [`bounce`], [`respond`]; a [`Surface`] in a mover |
-    //! | How does a ball bounce for ever? | Keep a [`Speed`] beside its velocity, or its [`Energy`] where there is gravity. |
+    //! | How does a ball bounce for ever? | Keep a [`Speed`] beside its velocity, or its [`Energy`] if there is gravity. |
     //! | What if gravity is less than a raw unit per frame? | Use an [`Acceleration`] with a [`Carry`]. |
-    //! | How do two bodies get out of each other? | [`separate`], by their [`Masses`] |
-    //! | And their velocities? | [`exchange`] |
-    //! | Ropes, chains, ragdolls? | Join [`Particle`]s with [`Stick`]s. [`relax`] brings them to their lengths; let them sleep when [`Quiet`]. |
+    //! | How are two bodies separated? | [`separate`], by their [`Masses`] |
+    //! | How do their velocities change? | [`exchange`] |
+    //! | How do I make ropes, chains and ragdolls? | Join [`Particle`]s with [`Stick`]s. [`relax`] restores their lengths; let them sleep when [`Quiet`]. |
     //!
     //! The ideas come from the tutorials and the talk on N by Metanet Software (projection, split
     //! velocities, Verlet points). Friction is Coulomb's. The points are those of Jakobsen's
@@ -162,6 +161,7 @@ mod run;
 mod search;
 mod slide;
 mod solids;
+mod stance;
 #[cfg(feature = "serde")]
 mod stored;
 mod sweep_body;
@@ -174,8 +174,8 @@ mod tests;
 mod touch_convex;
 mod touched_plane;
 mod walk {
-    //! Walking: what a character needs beyond
-    //! [`Mover::move_and_slide`](super::Mover::move_and_slide).
+    //! Walking: a [`Walker`] follows floors, which
+    //! [`Mover::move_and_slide`](super::Mover::move_and_slide) does not.
     //!
     //! On the ground a [`Walker`] moves by *legs*. Each leg is a sweep along the floor, which ends
     //! at an upward bend, a step or a wall. A look down from its end finds where the floor bends

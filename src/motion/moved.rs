@@ -8,17 +8,18 @@ use core::fmt;
 use core::iter::{Chain, Flatten};
 use core::slice::Iter;
 
-/// Where a body ended up, and what happened on the way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The result of a motion: the new position, the new velocity and the hits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("KinematicCollision2D", "cols"))]
+#[must_use = "the body moves only if you keep `Moved::body`"]
 pub struct Moved<B> {
     /// The body at its new position. It does not overlap the level.
     pub body: B,
     /// The velocity after the response. Pass it to the next call.
     pub velocity: Vec2,
-    /// The motion that was not made: the rest of a stopped body's motion, or what is left after
-    /// [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces, in a tight place or after as many
-    /// bounces.
+    /// The motion that was not made, in units. It is the rest of a stopped body's motion, or what
+    /// remains after [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces: in a tight spot, or
+    /// after that many bounces.
     pub remaining: Vec2,
     /// The hits, in order.
     pub hits: Hits,
@@ -56,7 +57,8 @@ impl<B: Body> Moved<B> {
         }
     }
 
-    /// A copy as a result, part by part: inline, not by the compiler's routine of 700 bytes.
+    /// Copies the result field by field, inline: a call of the compiler's copy routine would link
+    /// 700 bytes.
     #[inline(always)]
     pub(super) fn copied(&self) -> Result<Self, super::MoveError> {
         let mut result = Ok(Self::freely(self.body, self.velocity, 0));
@@ -108,9 +110,10 @@ pub struct Stuck {
 /// Why a motion was refused. The body stays as it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum MoveError {
-    /// The velocity or the body is too large, for numbers or for the level's cells, or the motion
-    /// would leave the domain.
+    /// The velocity or the body is too large, the motion visits too many cells, or it would leave
+    /// the domain.
     Range(RangeError),
     /// The body already overlaps the level.
     Stuck(Stuck),
@@ -143,18 +146,21 @@ impl fmt::Display for MoveError {
 impl core::error::Error for MoveError {}
 
 /// One hit of a moving body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-// The flag that tells `None` from `Some` stays behind the words. In front of them, what is copied
-// after it begins at an odd address: 8834 instructions for a hero's frame on a Cortex-M0, not 5658.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+// The flag that distinguishes `None` from `Some` is behind the words. In front of them, the
+// following fields would begin at an odd address: 8834 instructions for a hero's frame on a
+// Cortex-M0, not 5658.
 #[repr(C)]
 pub struct Hit {
-    /// The part of the motion made before the hit. Exact, rounded down, for the first hit on a face
-    /// along x or y, and for a box on the slope of a tile. Elsewhere early by less than a raw unit
-    /// of way. Later hits of one call add the roundings of the earlier ones.
+    /// The part of the motion made before the hit: a fraction of the motion, 0 to 1. For the first
+    /// hit on a face along x or y, and for a box on the slope of a tile, it is exact, rounded down.
+    /// At other surfaces it may be early, by less than one raw unit of travel. A later hit of the
+    /// same call adds the rounding of the earlier ones.
     pub toi: Toi,
     /// The exact normal of the surface: out of the solid, toward the body.
     pub axis: Axis,
-    /// The cell of the level.
+    /// The cell of the level that was hit. For a moving solid it holds the key: see
+    /// [`solid`](Self::solid).
     pub cell: Cell,
     /// Which feature of the cell, as [`Feature::index`](crate::world::Feature::index).
     pub index: u16,
@@ -167,15 +173,15 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// How hard the body hit: the speed into the surface, in units per call. For damage, dust and
-    /// sounds.
+    /// The speed into the surface, in units per call: how hard the body hit. Use it for damage,
+    /// dust and sounds.
     ///
-    /// `velocity` is the one before the call; a scene's events
-    /// [give it](crate::scene::SceneEvent::Level). For a surface that moves, subtract its own.
+    /// `velocity` is the velocity before the call; the events of a scene [contain
+    /// it](crate::scene::SceneEvent::Level). For a surface that moves, subtract its velocity.
     /// Rounded as [`Axis::approach`].
     ///
-    /// A later hit of the same call gets the part of the whole call's velocity into its surface. If
-    /// an earlier hit had taken a part of that, the body was slower than this.
+    /// For a later hit of the same call, this is still the part of the whole velocity into its
+    /// surface. If an earlier hit took a part of that, the body was slower.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -193,6 +199,16 @@ impl Hit {
         self.axis.approach(velocity)
     }
 
+    /// The key of the moving solid that was hit: a [`Solid`](crate::Solid) or a
+    /// [`ConvexSolid`](crate::world::ConvexSolid). `None` for a tile or a segment.
+    ///
+    /// In a [joined](crate::Joined) level, [`source`](Self::source) distinguishes two lists.
+    /// [`Mover::with_answers`](crate::Mover::with_answers) has an example.
+    #[must_use]
+    pub const fn solid(&self) -> Option<u16> {
+        self.cell.solid()
+    }
+
     pub(super) const fn of(axis: Axis, feature: &Feature, toi: Toi) -> Self {
         let Feature { cell, index, flags, one_way, source, .. } = *feature;
         Self { toi, axis, cell, index, flags, one_way, source }
@@ -202,10 +218,9 @@ impl Hit {
 /// The hits of one motion in the order in which they happened, at most [`Hits::CAPACITY`].
 ///
 /// Plain data: a copy is a snapshot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Hits {
-    /// In halves: 48 bytes are made and copied inline, but 96 by a library routine for memory of
-    /// any size.
+    /// In halves: 48 bytes are made and copied inline, but 96 bytes by a library routine.
     early: [Option<Hit>; 2],
     late: [Option<Hit>; 2],
     seen: u8,
@@ -289,7 +304,7 @@ impl Hits {
     /// let level = TileMap::from_ascii("..#\n..#\n###", &KINDS)?;
     /// let body = Aabb::new(Vec2::from_ints(16, 16), Vec2::from_ints(24, 26))?;
     /// let moved = Mover::new().move_and_slide(&level, &body, Vec2::from_ints(16, 9))?;
-    /// let mut log = heapless::Vec::<_, 8>::new(); // of several frames, or of several bodies
+    /// let mut log = heapless::Vec::<_, 8>::new(); // of several frames or bodies
     /// moved.hits.copy_to(&mut log)?;
     /// assert_eq!(log.iter().map(|hit| hit.axis).collect::<Vec<_>>(), [Axis::NEG_X, Axis::NEG_Y]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

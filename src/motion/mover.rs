@@ -26,7 +26,7 @@ use crate::world::{Feature, World};
 /// assert!(moved.floor && !moved.wall);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[doc(alias("KinematicBody", "kinematic"))]
 pub struct Mover<S = Smooth> {
@@ -44,12 +44,12 @@ impl Mover {
     pub const ITERATIONS: u32 = 4;
 
     /// The most cells that one motion may visit, counted for each of its
-    /// [pieces](Self::move_and_slide). Longer motions, and motions of larger bodies, are refused.
-    /// The limit is a square of 512 cells a side, or 4096 units per call for a body of one cell
-    /// where a cell is a unit.
+    /// [pieces](Self::move_and_slide). A motion that visits more cells is refused. The limit is a
+    /// square of 512 cells a side, or 4096 units per call for a body of one cell where a cell is a
+    /// unit.
     pub const CELLS: u32 = 1 << 18;
 
-    /// A mover without an "up", for games seen from above: every hit is a wall.
+    /// A mover without an "up", for top-down games: every hit is a wall.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -72,14 +72,13 @@ impl Mover {
 }
 
 impl<S: Law> Mover<S> {
-    /// The same mover for bodies with friction and restitution. A mover without a surface links no
-    /// code for them.
+    /// Adds friction and restitution. A mover without a surface links no code for them.
     ///
     /// Restitution acts only with [`Response::Bounce`], and a new mover slides: choose that
     /// response too. Friction acts with every response but [`Response::Touch`].
     ///
-    /// The surface is part of the mover, so it can differ from call to call: by the body, or by the
-    /// flags of the tile that the body stood on.
+    /// The surface is a part of the mover, so you can choose it for each call. It may depend on the
+    /// body, or on the flags of the tile on which the body stood.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Mover, Ratio, Response, Surface};
@@ -93,7 +92,7 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce, limit, drop_through, inside, surface }
     }
 
-    /// The same mover with its own responses to surfaces with flags.
+    /// Sets the responses to surfaces with flags.
     ///
     /// A mover without such a table links no code for it. Call this after
     /// [`with_surface`](Self::with_surface), whose mover has no table.
@@ -104,11 +103,11 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce, limit, drop_through, inside, surface: ByFlags { surface, responses } }
     }
 
-    /// The same mover with a function that says how it responds to each hit: by the flags of a
-    /// tile, the [key](crate::Solids::key_of) of a solid, the normal, one-way or not. `None` is the
-    /// mover's own response. A mover without such a function links no code for it.
+    /// Sets a function that returns the response to each hit. It may use the flags of a tile, the
+    /// [key](Hit::solid) of a solid, the normal, and whether the face is one-way. `None`
+    /// means the mover's own response. A mover without such a function links no code for it.
     ///
-    /// It must return the same for the same hit. To learn what a body passed, see
+    /// It must be a pure function of the hit. To learn what a body passed, see
     /// [`move_along`](Self::move_along). Call this after [`with_surface`](Self::with_surface).
     ///
     /// ```
@@ -116,7 +115,7 @@ impl<S: Law> Mover<S> {
     /// use tilesat::{Aabb, Axis, Joined, Mover, Response, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// fn answer(hit: &Hit) -> Option<Response> {
-    ///     let trampoline = Solids::key_of(hit.cell) == Some(7);
+    ///     let trampoline = hit.solid() == Some(7);
     ///     if trampoline { Some(Response::Bounce) } else { (hit.axis.y > 0).then_some(Response::Touch) }
     /// }
     /// const MOVER: Mover<ByHit<fn(&Hit) -> Option<Response>>> = Mover::platformer(Axis::NEG_Y).with_answers(answer);
@@ -141,15 +140,15 @@ impl<S: Law> Mover<S> {
         Mover { up, response, bounce: Bounce::LINKED, limit, drop_through, inside, surface }
     }
 
-    /// The same mover with another response.
+    /// Sets the response to hits.
     #[must_use]
     pub const fn with_response(self, response: Response) -> Self {
         let bounce = if matches!(response, Response::Bounce) { Bounce::LINKED } else { self.bounce };
         Self { response, bounce, ..self }
     }
 
-    /// The same mover with another limit between floor and wall. The steepest floor rises by `rise`
-    /// over `run`; the default is 1 : 1 (45 degrees).
+    /// Sets the limit between floor and wall. The steepest floor rises by `rise` over `run`; the
+    /// default is 1 : 1 (45 degrees).
     ///
     /// Exact: a slope as steep as the limit is floor. A surface that faces down at most as steeply
     /// is ceiling, and the rest is wall. With `run` 0 every surface that faces up at all is floor.
@@ -165,12 +164,12 @@ impl<S: Law> Mover<S> {
         Self { limit: SlopeLimit { rise, run }, ..self }
     }
 
-    /// The same mover that passes one-way faces, or no longer does, with any response. Use it while
-    /// a player drops through a platform. Hits report the faces as with [`Response::DropThrough`].
+    /// Sets whether the mover passes one-way faces, with any response. Use it while a player drops
+    /// through a platform. Hits report the faces as with [`Response::DropThrough`].
     ///
     /// Gravity must act in that frame: the body passes only what it moves into. A body that stands
-    /// and has no downward velocity stands on. One frame is enough if it moves into the face by a
-    /// raw unit or more: then the body is no longer entirely in front of it. One-way
+    /// without a downward velocity stays on the platform. One frame is enough if it moves into the
+    /// face by a raw unit or more: then the body is no longer entirely in front of it. One-way
     /// [`Solid`](crate::Solid)s do not carry a mover that drops through, either.
     ///
     /// ```
@@ -190,7 +189,7 @@ impl<S: Law> Mover<S> {
         Self { drop_through, ..self }
     }
 
-    /// The same mover with another answer for bodies that already overlap the level.
+    /// Sets the treatment of bodies that already overlap the level.
     ///
     /// ```
     /// use tilesat::{Aabb, Mover, TileKind, TileKinds, TileMap, Vec2, motion::StartInside};
@@ -210,43 +209,44 @@ impl<S: Law> Mover<S> {
     /// Moves a body by its velocity (units per call) through a level.
     ///
     /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it
-    /// hits, and they change the motion exactly: a box that lands still makes its whole sideways
+    /// hits, and they change the motion exactly. So a box that lands still makes its whole sideways
     /// motion. At a slope, a corner or an arc it ends at most 2 raw early, and never inside. If it
     /// is wedged and no lattice point near the contact is free, it ends up to 66 raw early. If none
     /// is free there either, it ends where that piece of its motion began.
     ///
     /// The remaining velocity is the longest projection of the velocity that no surface blocks.
-    /// Only the surfaces count that the body touches *at that position*, not those that it has left
-    /// behind. Along the slopes of tiles the direction is exact: the velocity is a multiple of the
+    /// Only surfaces that the body touches *at that position* count. Surfaces that it has left do
+    /// not. Along the slopes of tiles the direction is exact: the velocity is a multiple of the
     /// slope's direction, less than one multiple short. Through a quarter pipe the body moves by
     /// one chord per call. It leaves as fast as it entered, less about 3 raw per call. No response
     /// raises the square of the velocity (with a [`Speed`](super::Speed), not above that).
     ///
     /// A body that gravity presses between surfaces (a V, a bowl, two domes, a slope and a wall)
-    /// comes to rest, for gravities up to a twentieth of a tile per call squared. Every way that it
-    /// makes is a part of its velocity, so it does not jitter. Without friction a half pipe swings
-    /// a body for ever, up to 216 units higher in 40 000 calls. A friction of 0.5 % ends both.
+    /// stops. This holds for gravities up to a twentieth of a tile per call squared. Each
+    /// displacement is a fraction of its velocity, so the body does not jitter. Without friction a
+    /// half pipe swings a body for ever, up to 216 units higher in 40 000 calls. A friction of 0.5
+    /// % ends both.
     ///
     /// With zero velocity the call returns at once. It does not look at the level, and does not
     /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
-    /// Mirrored scenes give mirrored bits, except where a circle meets two corners, slopes or arcs
-    /// at once and equally squarely (+x goes first), and where a corner of a polygon or a turned
-    /// box meets a corner (1 of 100 000 motions): it may be a raw unit off, or bounce off the other
-    /// side. Translated scenes give the same bits. So do scenes with x and y exchanged, except for
-    /// ties (x goes first) and a raw unit at corners.
+    /// Mirrored scenes give mirrored bits, with two exceptions. A circle that meets two corners,
+    /// slopes or arcs at once and equally squarely takes the one toward +x first. A corner of a
+    /// polygon or oriented box that meets a corner may end a raw unit off, or bounce off the other
+    /// side (1 of 100 000 motions). Translated scenes give the same bits. So do scenes with x and y
+    /// exchanged, except for ties (x wins) and a raw unit at corners.
     ///
-    /// Cost: where all cells under the motion are empty, one look at each. Otherwise at most
+    /// Cost: one look at each cell under the motion, if all are empty. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A
-    /// fast body far from the map takes as many look-ups. Each sweep needs one or two exact overlap
-    /// tests; [`Moved::work`] counts them. No division instruction; one square root for each slope
-    /// (circles), corner and arc that is hit.
+    /// fast body needs as many look-ups even far from the map. Each sweep needs one or two exact
+    /// overlap tests; [`Moved::work`] counts them. No division instruction; one square root for
+    /// each slope (circles), corner and arc that is hit.
     ///
     /// # Errors
     /// - [`MoveError::Range`] if a velocity component or a half extent is not below 2^28 raw (4096
-    ///   units). A velocity shorter than that stays acceptable in every direction.
-    /// - [`MoveError::Range`] if the motion would leave the domain, were nothing in its way, or
-    ///   visits more than [`Mover::CELLS`] cells.
+    ///   units). A velocity of less than 4096 units is accepted in every direction.
+    /// - [`MoveError::Range`] if the motion, unobstructed, would leave the domain, or visits more
+    ///   than [`Mover::CELLS`] cells.
     /// - [`MoveError::Range`] at any velocity, even zero, for a body that cannot move: a slanted
     ///   capsule, one without radius, or an [`AnyShape`](crate::shape::AnyShape) without an area.
     /// - [`MoveError::Stuck`] if the body moves, already overlaps the level, and the mover
@@ -293,14 +293,14 @@ impl<S: Law> Mover<S> {
         Ok(run)
     }
 
-    /// Whether the body overlaps the level, if that is no error.
+    /// Whether the body overlaps the level, if the mover ignores that.
     pub(super) fn is_inside<W: World, B: Body>(&self, world: &W, body: &B, work: &mut Work) -> Result<bool, Stuck> {
         work.checks += 1;
         let inside = body.overlaps_world(world);
         self.check_start(body, inside).map(|()| inside)
     }
 
-    /// Refuses a body that starts inside the solid, if that is an error.
+    /// Refuses a body that starts inside the solid, if the mover reports that.
     pub(super) fn check_start<B: Body>(&self, body: &B, inside: bool) -> Result<(), Stuck> {
         let stuck = inside && self.inside == StartInside::Report;
         if stuck { Err(Stuck { at: body.position().raw() }) } else { Ok(()) }
@@ -336,7 +336,7 @@ impl<S: Law> Mover<S> {
         first: &First,
     ) -> bool {
         let mut hit = first.hit::<B, W>(&run.moved.body, d);
-        // Whether to choose among the ways on, and the motion made so far.
+        // Whether to choose among the free directions, and the motion made so far.
         let (mut chooses, mut made) = (false, Raw::ZERO);
         if may_be_askew::<B, W>() && run.creeps {
             (chooses, made) = (true, self.creep::<W, B>(world, run, d, hit.take()));

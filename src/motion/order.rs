@@ -1,13 +1,13 @@
-//! Chooses the first of the hits of one motion. The order of visits plays no part. The first of
+//! Chooses the first of the hits of one motion. The order of visits does not matter. The first of
 //! these rules that distinguishes two hits decides:
 //!
 //! 1. The earlier one. A vertex or an arc, whose time is a bound, precedes a face only if that is
 //!    exactly true.
 //! 2. A face before a vertex or an arc.
-//! 3. Of two faces, or of two others: a hit that is not only at the feature's end, then the one
+//! 3. Between two faces, or two others: a hit that is not only at the feature's end, then the one
 //!    that opposes the motion more. Then the normal decides: by the longer part along x, the longer
 //!    part along y, and +x and +y before -x and -y.
-//! 4. On one surface: solid before one-way, then the smaller level, row, column and index. The
+//! 4. On the same surface: solid before one-way, then the smaller level, row, column and index. The
 //!    flags of both count.
 
 use super::body::{Body, Entry};

@@ -16,7 +16,7 @@ pub(super) enum SurfaceRole {
 }
 
 /// The steepest floor, and ceiling: it rises by `rise` over `run`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) struct SlopeLimit {
@@ -73,8 +73,8 @@ impl Default for SlopeLimit {
 /// The rounding distance. A body that rounding pushes off one surface still touches another that is
 /// within this many raw units.
 ///
-/// A position at a hit is at most 2 raw early on each axis. Of two surfaces that a body has met,
-/// one is therefore at most 2 sqrt 2 raw off.
+/// A position at a hit is at most 2 raw early on each axis. So if a body has met two surfaces, one
+/// is at most 2 sqrt 2 raw off.
 pub(super) const NEAR: u32 = 4;
 
 /// Nothing farther than this binds a way.
@@ -218,19 +218,19 @@ pub(super) fn reflect<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S,
 
 /// A point that has met a concave arc from inside.
 pub(super) struct Pipe {
-    /// The point as seen from the centre.
+    /// The point, relative to the centre.
     pub(super) m: Raw,
     /// The largest distance from the centre.
     pub(super) r: i32,
     pub(super) quadrant: Axis,
 }
 
-/// A straight way inside of a pipe, from rim to rim.
+/// A straight displacement inside of a pipe, from rim to rim.
 pub(super) struct Chord {
     pub(super) way: Raw,
-    /// Along the pipe at the end of the way.
+    /// The velocity along the pipe at the end of the chord.
     pub(super) velocity: Raw,
-    /// The part of the time that is left at the end of the way.
+    /// The part of the time that is left at the end of the chord.
     pub(super) after: Toi,
 }
 
@@ -246,12 +246,12 @@ impl Pipe {
         !between(y, centre) && !between(centre, x)
     }
 
-    /// The way of a body of velocity `v` in the time `rest`. None if the velocity points
-    /// straight into the pipe.
+    /// The chord of a body of velocity `v` in the time `rest`. None if the velocity points straight
+    /// into the pipe.
     ///
-    /// The way ends where the end of the way along the tangent is drawn to the disc, which moves no
-    /// two points apart. It does not pass the end of the arc; there the time of the chord decides
-    /// how much is left. The speed along the pipe stays the same, less a few raw and the friction.
+    /// The chord ends at the projection of the end of the tangent onto the disc, which moves no two
+    /// points apart. It does not pass the end of the arc; there the time of the chord decides how
+    /// much is left. The speed along the pipe stays the same, less a few raw and the friction.
     pub(super) fn chord<S: Law>(&self, v: Raw, rest: Toi, surface: &S) -> Option<Chord> {
         let n = inward(self.m);
         let along = across(v, n);

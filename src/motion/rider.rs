@@ -10,7 +10,7 @@ use crate::world::{ConvexSolid, ConvexSolids, Joined, Solid, SolidShape, Solids,
 
 /// A kind of solid that a [`Character`] rides on: a [`Solid`] or a [`ConvexSolid`]. Sealed.
 pub trait MovingSolid: Copy + sealed::Sealed {
-    /// A list of them as a level.
+    /// A list of such solids as a level.
     type Level<'a>: World
     where
         Self: 'a;
@@ -75,28 +75,28 @@ moving_solids! {
     [S: SolidShape] ConvexSolid<S>: 'a ConvexSolids<'a, S>, ride_convex
 }
 
-/// What [`Character::ride`] answers.
+/// The result of [`Character::ride`].
 type Carried = Result<(Outcome, Vec2), RangeError>;
 
 impl<B: Body> Character<B> {
-    /// Moves the character for one frame among moving solids. They carry or push it, then all go by
-    /// their [motions](Solid::with_motion) or [turns](ConvexSolid::with_turn), and then the
-    /// character walks. They are boxes or [`ConvexSolid`]s; a game with boxes links no code for the
-    /// others.
+    /// Moves the character for one frame among moving solids. First the solids carry or push it.
+    /// Then all solids make their [motions](Solid::with_motion) or [turns](ConvexSolid::with_turn),
+    /// and then the character walks. Solids are boxes or [`ConvexSolid`]s; a game with boxes links
+    /// no code for the others.
     ///
     /// When the call returns, all solids have moved, even if it returns an error. So call it once
-    /// per frame. For several characters on the same solids there is [`step_all`](Self::step_all).
+    /// per frame. For several characters on the same solids, use [`step_all`](Self::step_all).
     ///
-    /// A character that leaves a solid takes its motion along: by a jump, a drop, a launch, or over
-    /// the edge. Seen from a solid that keeps its motion, the flight is that on still ground. One
-    /// thing differs: solids go first, so one that sinks comes once more under a body that ran off
-    /// its front, and may stop its fall for a frame.
+    /// A character that leaves a solid keeps the solid's motion, whether by a jump, a drop, a
+    /// launch, or over the edge. Relative to a solid that keeps its motion, the flight is the same
+    /// as from still ground. There is one exception. Solids move first, so a solid that sinks may
+    /// stop the fall of a body for a frame, if the body ran off its front.
     ///
-    /// In the frame of a jump the ride has already made the solid's part, and the walk makes the
-    /// jump's. Both together are the new `velocity`.
+    /// In the frame of a jump, the ride makes the solid's part of the motion, and the walk makes
+    /// that of the jump. The new `velocity` is the sum of both.
     ///
-    /// Cost: [`Mover::ride`] or [`Mover::ride_convex`], and [`Walker::walk`](crate::Walker::walk) in a
-    /// [`Joined`] level.
+    /// Cost: one [`Mover::ride`] or [`Mover::ride_convex`], and one
+    /// [`Walker::walk`](crate::Walker::walk) in a [`Joined`] level.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2};
@@ -128,7 +128,7 @@ impl<B: Body> Character<B> {
     ///     let _ = hero.step_on(&level, &mut seesaw, Input::default())?;
     /// }
     /// assert_eq!(hero.ridden(), Some(7));
-    /// assert!(hero.body().min().y < 6); // 2 units higher than at first, and more
+    /// assert!(hero.body().min().y < 6); // more than 2 units higher than at first
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -152,7 +152,8 @@ impl<B: Body> Character<B> {
     /// [`step_on`](Self::step_on) moves one. They do not affect each other.
     ///
     /// If their number changes while the game runs, call [`ride`](Self::ride) for each, then
-    /// [`Solid::move_all`] or [`ConvexSolid::move_all`], then [`step_carried`](Self::step_carried) for each.
+    /// [`Solid::move_all`] or [`ConvexSolid::move_all`], then [`step_carried`](Self::step_carried)
+    /// for each.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, Outcome, Solid, TileKinds, TileMap, Vec2, fx};
@@ -198,8 +199,8 @@ impl<B: Body> Character<B> {
     /// The first half of [`step_on`](Self::step_on): moves the character as far as the solids carry
     /// or push it. The solids are still at their old positions.
     ///
-    /// Returns the outcome and a motion: that of the solid that it stood on, or in the air how far
-    /// it was pushed.
+    /// Returns the outcome and a motion: that of the solid on which it stood, or, in the air, how
+    /// far it was pushed.
     ///
     /// ```
     /// use tilesat::{Aabb, Character, Feel, Input, Joined, Outcome, Solid, Solids, TileKinds, TileMap, Vec2};
@@ -236,14 +237,15 @@ impl<B: Body> Character<B> {
         drop: bool,
     ) -> Result<(Outcome, Vec2), RangeError> {
         let follow = if self.floor.is_some() { self.feel.snap } else { self.falls().saturating_add(self.pull()) };
-        // From a one-way solid it drops after the ride, which takes it along.
+        // It drops from a one-way solid after the ride, which carries it.
         let stands = self.floor.is_some_and(|floor| floor.one_way) && self.ridden().is_some();
         let mover = self.mover().with_drop_through(self.passes(drop) && !stands);
-        // What no walker or motion can be is an error of the step, by the name that it has there.
+        // Numbers that no walker or motion may have are errors of the step, under the names that
+        // they have there.
         let follow = follow.clamp(Fx::ZERO, Fx::from_bits(MOTION - 1));
         let ride = |mover: &Mover| M::ride(mover, level, solids, &self.body, follow);
         let ridden = match ride(&mover) {
-            // One-way solids pass through what has no room.
+            // One-way solids pass through a body without room.
             Ok(Ridden { ride: Ride::Squashed { .. }, .. }) => ride(&mover.with_drop_through(true)),
             ridden => ridden,
         };
@@ -265,7 +267,7 @@ impl<B: Body> Character<B> {
         self.ride(&Joined::new(level, &M::level(&[])), solids, drop)
     }
 
-    /// Walks where the solids are now, unless they squashed it.
+    /// Walks among the solids at their new positions, unless they squashed it.
     fn walk_on<W: World, M: MovingSolid>(
         &mut self,
         level: &W,

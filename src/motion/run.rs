@@ -1,5 +1,5 @@
-//! What one call of the mover does to its body: it finds the first hit, the position at the hit,
-//! the rest of the motion, and the way along a quarter pipe.
+//! One call of a mover: it finds the first hit, the position at the hit, the rest of the motion,
+//! and the chord along a quarter pipe.
 
 use super::body::{Body, Entry};
 use super::contact::Plane;
@@ -28,9 +28,9 @@ pub(super) struct Run<'m, B> {
     pub(super) before: Raw,
     /// The plane that the motion runs along.
     pub(super) along: Option<Plane>,
-    /// Whether it has come farther than rounding can take it.
+    /// Whether it has moved farther than rounding can move it.
     pub(super) came: bool,
-    /// Whether floors do not end the motion of a walker: it came to one that does not carry it.
+    /// Whether floors do not end the motion of a walker: it met one that does not carry it.
     pub(super) falls: bool,
     /// Whether it flew to the first of the surfaces that it touches. It then meets the next surface
     /// with the remaining velocity.
@@ -44,8 +44,8 @@ pub(super) struct Run<'m, B> {
     /// Whether no way is free, and the motion follows a bound way up to the surface that binds it.
     pub(super) creeps: bool,
     pub(super) pass_one_way: bool,
-    /// Whether nothing has been hit yet. Between the others, for to clear five flags in a row would
-    /// be a call.
+    /// Whether nothing has been hit yet. Placed between the others: clearing five adjacent flags
+    /// would become a library call.
     pub(super) is_first: bool,
     /// Whether the body has been in the solid all the time.
     pub(super) inside: bool,
@@ -57,7 +57,7 @@ pub(super) struct Run<'m, B> {
     pub(super) after: Toi,
 }
 
-/// A position that a body can be put back to. A position in the solid is allowed only for a body
+/// A position to which a body can be put back. A position in the solid is allowed only for a body
 /// that has been in the solid all the time.
 #[derive(Clone, Copy)]
 pub(super) struct Checkpoint<B> {
@@ -137,8 +137,9 @@ impl<'m, B: Body> Run<'m, B> {
         self.place(world, d, entry.displacement(d), d)
     }
 
-    /// What a part of the motion must not go against: the velocity, or a pipe's chord, since a pipe
-    /// turns the velocity. Only bodies with several corners at a pipe meet it on its chord.
+    /// The direction that a part of the motion must not oppose: the velocity, or a pipe's chord,
+    /// because a pipe turns the velocity. Only bodies with several corners at a pipe meet it on its
+    /// chord.
     #[inline]
     pub(super) fn course<W: World>(&self, d: Raw) -> Raw {
         if W::ROUND && B::ANGULAR && self.on_chord { d } else { self.before }
@@ -160,8 +161,8 @@ impl<'m, B: Body> Run<'m, B> {
         if W::CERTAIN && W::BLOCKS && !B::MEETS_CORNERS {
             return if self.take(world, q, true) { q } else { Raw::ZERO };
         }
-        // The compiler computes all steps before it tries the first: in 90 instructions on a
-        // desktop, and in 6 on a Cortex-M0, where a second copy of the test would take 100 bytes.
+        // The compiler computes all steps before it tries the first. That takes 90 instructions on
+        // a desktop, and 6 on a Cortex-M0, where a second copy of the test would take 100 bytes.
         let first = on_the_way(q, d);
         if LONG && self.places(world, first, u) {
             return first;
@@ -183,8 +184,8 @@ impl<'m, B: Body> Run<'m, B> {
         Raw::ZERO
     }
 
-    /// Moves by a displacement if there is room, and it is not against `u`. Each way made is a part
-    /// of the velocity. With the same velocity no position therefore repeats.
+    /// Moves by a displacement if there is room, and it is not against `u`. Each displacement is a
+    /// part of the velocity. So with the same velocity no position repeats.
     #[inline]
     fn places<W: World>(&mut self, world: &W, q: Raw, u: Raw) -> bool {
         (q.is_zero() || u.dot(q) > 0) && self.take(world, q, false)
@@ -296,7 +297,7 @@ impl<'m, B: Body> Run<'m, B> {
     }
 }
 
-/// The probes of the ways that led nowhere from a place.
+/// The probes of the ways that led nowhere from a position.
 #[derive(Clone, Copy)]
 pub(super) struct Shut {
     probes: [Raw; 4],
@@ -304,7 +305,7 @@ pub(super) struct Shut {
 }
 
 impl Shut {
-    /// None. All places hold a value at hand: to clear them would be a call.
+    /// No probes. The unused slots hold a value at hand: clearing them would become a library call.
     pub(super) fn none(unused: Raw) -> Self {
         Self { probes: [unused; 4], len: 0 }
     }
@@ -363,7 +364,7 @@ fn on_the_way(q: Raw, d: Raw) -> Raw {
     Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) }
 }
 
-/// How much bounds without area are grown to give them an inside.
+/// How much bounds without area are grown to have an inside.
 pub(super) fn margin(bounds: &Aabb) -> i32 {
     let size = Raw::of(bounds.size());
     i32::from(size.x == 0 || size.y == 0)

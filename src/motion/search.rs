@@ -1,4 +1,4 @@
-//! The search for the first hit of a motion: the known parts of the level, the parts to look at,
+//! The search for the first hit of a motion: the known parts of the level, the parts to examine,
 //! and their order.
 
 use super::Mover;
@@ -48,10 +48,10 @@ impl Around {
     }
 
     /// In how many [pieces] the cells under the motion of a call are visited. Returns 0 if the body
-    /// meets nothing anywhere on its motion and flies, as most bodies do. Only this first look
-    /// distinguishes the cells that the body passes. In later looks the body is near what it has
-    /// met, and that took 3 % more instructions than it saved. Unless it `looks`, and for a box
-    /// among blocks, any number above 1 stands for several.
+    /// meets nothing on its whole motion, as most bodies do. Only this first look distinguishes the
+    /// cells that the body passes. In later looks the body is near what it has met, and that took 3
+    /// % more instructions than it saved. Unless it `looks`, and for a box among blocks, any number
+    /// above 1 stands for several.
     ///
     /// # Errors
     /// If the motion visits too many cells.
@@ -118,7 +118,7 @@ impl Around {
         self.has_seen(region) && self.is_free_in_sight(region)
     }
 
-    /// The same for a region that is known.
+    /// [`is_free`](Self::is_free) for a region that is known.
     pub(super) fn is_free_in_sight(&self, region: &Aabb) -> bool {
         self.seen.held.is_none_or(|held| {
             let ((a, b), (lo, hi)) = ((region.lo(), region.hi()), (held.lo(), held.hi()));
@@ -184,7 +184,8 @@ impl<'a, B: Body> Search<'a, B> {
         self.find_cusp(world, d, first);
     }
 
-    /// The same for a motion in so many pieces. If it is one, the level has been looked at.
+    /// [`find_first`](Self::find_first) for a motion in `pieces` pieces. If it is one, the level
+    /// has been looked at.
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         if pieces == 1 {
             match self.around.known_cells() {
@@ -197,8 +198,8 @@ impl<'a, B: Body> Search<'a, B> {
         self.find_cusp(world, d, first);
     }
 
-    /// The same in a grid, strip by strip. Returns whether a cell of the first strip, in which the
-    /// body starts, may hold something.
+    /// [`find_first`](Self::find_first) in a grid, strip by strip. Returns whether a cell of the
+    /// first strip, in which the body starts, may hold something.
     ///
     /// Strips visit each cell once, so long casts take up to 15 % fewer instructions. Movers do
     /// without: the code of strips would add 1 000 bytes to each of them, and 1 % to short motions.
@@ -315,7 +316,7 @@ pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
     1 << log
 }
 
-/// The most that is one piece.
+/// The longest motion that is one piece.
 #[inline]
 fn piece_length<W: World>(world: &W, bounds: &Aabb) -> u32 {
     let side = Raw::of(bounds.size());

@@ -1,4 +1,4 @@
-//! What a mover does at a hit: it finds the position, the ways on from there, and takes one of
+//! A mover's response to a hit: it finds the position and the ways from there, and takes one of
 //! them.
 
 use super::body::{Body, Entry};
@@ -53,7 +53,7 @@ impl<S: Law> Mover<S> {
     }
 
     /// Gives the velocity its direction after a hit. The displacement `made` of the motion `d` led
-    /// up to the hit. Returns whether to [choose](Self::go_along) from the ways on.
+    /// up to the hit. Returns whether to [choose](Self::go_along) one of the ways.
     #[inline(never)]
     pub(super) fn respond<W: World, B: Body, const WALKS: bool>(
         &self,
@@ -95,7 +95,7 @@ impl<S: Law> Mover<S> {
         false
     }
 
-    /// The short way for a [plain](is_plain) hit.
+    /// The short cut for a [plain](is_plain) hit.
     fn lose_component<W: World, B: Body>(&self, run: &mut Run<'_, B>, made: Raw, entry: &Entry, feature: &Feature) {
         let u = run.before;
         let lay = run.is_first && came::<W, B>(&run.moved.body, u, made, entry, feature) == Came::Lay;
@@ -105,8 +105,8 @@ impl<S: Law> Mover<S> {
         }
     }
 
-    /// Takes the longest free way on from the present position, after a displacement up to a hit,
-    /// if there was one. If none is free, the body [creeps](Run::creeps), or it stops.
+    /// Takes the longest free way from the current position, after a displacement up to a hit, if
+    /// there was one. If none is free, the body [creeps](Run::creeps), or it stops.
     #[inline(never)]
     pub(super) fn go_along<W: World, B: Body>(
         &self,
@@ -151,7 +151,7 @@ impl<S: Law> Mover<S> {
         if alone {
             ways.free();
         }
-        // Of a corner that meets the very end of a face, the ways beside the face are as good.
+        // If a corner meets the very end of a face, the ways past that face are allowed as well.
         let of_face = of_hit.filter(|_| !(B::ANGULAR && hit.is_some_and(|(entry, _)| entry.at_end)));
         let normal = of_face.map_or(Axis::new(0, 0), |plane| plane.normal);
         if let Some(way) = run.choose(world, &mut ways, normal, passes) {
@@ -167,7 +167,7 @@ impl<S: Law> Mover<S> {
         if looks + 1 < Mover::ITERATIONS && run.creep_along::<W>(&ways) {
             return;
         }
-        // A body that comes farther with each call continues in the next one.
+        // A body that advances with each call continues in the next one.
         if run.came && looks >= Mover::ITERATIONS && hit.is_some() {
             let mut creeps = ways.iter().filter(|way| way.along.is_some() && way.can_creep());
             let v = creeps.find(|way| into(way.v, normal) >= 0).map_or(Raw::ZERO, |way| way.v);
@@ -220,8 +220,8 @@ impl<S: Law> Mover<S> {
             ways.binding(world, &run.moved.body, probe, &run.moved.hits, &mut first);
             let Some((entry, feature)) = first.hit::<B, W>(&run.moved.body, probe) else { continue };
             // At the body's position, from which mirrored bodies look alike. The probe's end is
-            // rounded. A body that is still over a face that ends at the corner sees the corner
-            // from no side of its own.
+            // rounded. For a body that is still over a face that ends at the corner, the corner has
+            // no side.
             let mut normal = entry.normal;
             touched::<W, B>(&run.moved.body, feature, &mut |plane| {
                 let (n, m) = (plane.normal, entry.normal);
@@ -249,7 +249,7 @@ fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
 }
 
 /// Whether two surfaces hold a velocity together: it is between the reverses of their normals. Its
-/// way along each of them then leads into the other.
+/// projection on each of them then leads into the other.
 fn hold(u: Raw, n: Axis, m: Axis) -> bool {
     let turn = across(Raw { x: m.x, y: m.y }, n).signum();
     turn != 0 && across(u, m).signum() == turn && across(u, n).signum() == turn.wrapping_neg()
@@ -257,9 +257,9 @@ fn hold(u: Raw, n: Axis, m: Axis) -> bool {
 
 impl<B: Body> Run<'_, B> {
     /// After a hop, at the next hit: `normal` is that of the hit, if the body still touches the
-    /// surface from which it hopped. Where both together hold the velocity of the call, the body
-    /// meets both with it, as one that lay on the first does. Otherwise each call would throw it up
-    /// from the second, and gravity would take it back: it would hop on the spot for ever.
+    /// surface from which it hopped. If both together hold the velocity of the call, the body meets
+    /// both with it, as a body that lay on the first. Otherwise each call would throw it up from
+    /// the second, and gravity would pull it back: it would hop on the spot for ever.
     fn end_hop(&mut self, normal: Option<Axis>) {
         let hopped = self.hopped.take().zip(self.along.filter(|plane| plane.bend == Bend::Convex));
         let Some(((u, plane), normal)) = hopped.zip(normal) else { return };
@@ -279,7 +279,7 @@ impl<B: Body> Run<'_, B> {
     }
 
     /// Moves along a touched surface if all ways are bound, but not in the very last position.
-    /// Returns whether there was a way left to try.
+    /// Returns whether a way was left to try.
     fn creep_along<W: World>(&mut self, ways: &Ways) -> bool {
         for on in ways.iter().filter(|on| on.along.is_some_and(|p| p.pipe().is_none()) && on.can_creep()) {
             let d = self.along_plane::<W>(on.v, on.along);

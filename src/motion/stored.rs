@@ -137,8 +137,8 @@ impl<B: Copy> StoredForm<Character<B>> for Hero<B> {
 
 stored!([B: Body] Character<B> as Hero<B>; B);
 
-/// A memo only saves time, and nothing but the level can say whether its answer is right: it is
-/// written as nothing, and read as one that is empty.
+/// A memo only saves time, and its answer cannot be checked without the level. So it is not saved,
+/// and reads back empty.
 #[derive(Serialize, Deserialize)]
 struct Forgotten {
     version: Version,

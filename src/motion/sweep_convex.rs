@@ -1,4 +1,4 @@
-//! Sweeps a body with sides in any direction: a turned box, a convex polygon, a slanted capsule.
+//! Sweeps a body with sides in any direction: an oriented box, a convex polygon, a slanted capsule.
 //!
 //! Against a face it is its deepest corner, or the side that is parallel to the face. Against a
 //! corner or an arc, which is a point with a radius, each of its own sides is a face that the point
@@ -159,7 +159,7 @@ fn sweep(core: Core<'_>, d: Raw, feature: &Feature) -> Option<Entry> {
 /// face's line.
 ///
 /// A sharp corner may meet the line exactly at an end of the face. It then enters if the body,
-/// which is a wedge there, comes to be behind the face itself: whatever continues beyond the end.
+/// which is a wedge there, is then behind the face itself: whatever continues beyond the end.
 #[inline(never)]
 fn sweep_straight(core: Core<'_>, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, .. } = *face;
@@ -187,7 +187,7 @@ fn sweep_straight(core: Core<'_>, d: Raw, face: &Face) -> Option<Entry> {
     Some(Entry { num, den, normal: normal(dir), at_end: over_start == 0 || over_end == 0, step: None })
 }
 
-/// Of a rounded body, which meets the face with all of a parallel side, grown by its radius.
+/// Sweeps a rounded body, which meets the face with all of a parallel side, grown by its radius.
 fn sweep_wide((first, last): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, .. } = *face;
     if dir.x == 0 || dir.y == 0 {
@@ -210,8 +210,8 @@ fn sweep_wide((first, last): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<
     Some(Entry { num: time.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: None })
 }
 
-/// Whether a sharp corner that has met a line, and moves by `d` through it, comes to be behind the
-/// line in the direction `way` from there: by a side along the line, or by one that follows.
+/// Whether a sharp corner that has met a line, and moves by `d` through it, is then behind the line
+/// in the direction `way` from there: by a side along the line, or by one that follows.
 fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     let is_flat = |other: usize| {
@@ -223,9 +223,9 @@ fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
 
 /// Whether a side beside such a corner follows it over the line, in the direction `way`.
 ///
-/// The side leads back in front of the line. Seen from where the corner met it, one that leads
-/// along `q` crosses the line at `d + t q`, on the side of the sign of `d x q` over that of
-/// `way x q`. Below 2^58.
+/// The side leads back in front of the line. Relative to the point at which the corner met it, one
+/// that leads along `q` crosses the line at `d + t q`, on the side of the sign of `d x q` over that
+/// of `way x q`. Below 2^58.
 fn follows(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     [core.after(corner), core.before(corner)].into_iter().any(|other| {
@@ -249,7 +249,7 @@ fn sweep_side(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Opt
     Some(Entry { normal: entry.normal.reversed(), ..entry })
 }
 
-/// How the disc of a radius around a corner of the body comes to a point, in the body's own cone of
+/// How the disc of a radius around a corner of the body reaches a point, in the body's own cone of
 /// normals there.
 fn sweep_disc(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Option<(Raw, Crossing)> {
     let here = core.corner(corner);
@@ -379,7 +379,7 @@ impl Quarter {
     }
 
     /// Whether a sharp side that lands flat on an end of the arc ends there itself. `None` if it
-    /// does not come to be behind the arc.
+    /// is then not behind the arc.
     fn lands_at_end(&self, core: Core<'_>, side: usize, d: Raw, normal: Axis) -> Option<bool> {
         let (way, p) = (self.inward(normal), self.end(normal));
         let (i, j) = (side, core.after(side));
@@ -418,8 +418,8 @@ impl Quarter {
         first
     }
 
-    /// Of a sharp corner. Exactly through an end of the arc it leaves only if a side follows it. A
-    /// side along the tangent there leaves the arc: the solid is a cusp between the two.
+    /// Sweeps a sharp corner. Exactly through an end of the arc it leaves only if a side follows
+    /// it. A side along the tangent there leaves the arc: the solid is a cusp between the two.
     fn leave_by_corner(&self, core: Core<'_>, corner: usize, d: Raw) -> Option<Entry> {
         let here = core.corner(corner);
         for end in [Axis::new(self.quadrant.x, 0), Axis::new(0, self.quadrant.y)] {

@@ -94,8 +94,8 @@ pub(super) fn comes_along(m: Raw, d: Raw, e: Axis) -> bool {
     u > 0 || u.wrapping_add(along(e, d)) > 0
 }
 
-/// The same with u = e . m for any direction. At the moment s the point is on the line across e,
-/// `|cross| |e| / |e.d|` from the centre.
+/// [`enters_where`] with u = e . m, for any direction. At the moment s the point is on the line
+/// across e, `|cross| |e| / |e.d|` from the centre.
 #[inline(never)]
 pub(super) fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool {
     let (u0, du) = (along(e, m), along(e, d));
@@ -146,8 +146,8 @@ fn in_time(offset: Ordering, approaching: bool, rising: bool, closed: bool) -> b
     if rising { approaching && (offset.is_gt() || at_once) } else { !approaching || offset.is_lt() || at_once }
 }
 
-/// Entry of the point `m` (as seen from the arc's centre) moving by `d` into the disc of radius
-/// `r`, in the quadrant, with its borders if `closed`.
+/// Entry of the point `m` (relative to the arc's centre) moving by `d` into the disc of radius `r`,
+/// in the quadrant, with its borders if `closed`.
 ///
 /// A point that starts inside of the disc is on another side of the solid. It passes the quadrant's
 /// border inside, or after leaving: no entry.
@@ -193,8 +193,8 @@ pub(super) fn leave_quarter(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<En
     Some(Entry { num: t.raw(), den: Toi::ONE.raw(), normal, at_end: true, step: Some(step) })
 }
 
-/// The same for the corner of a box. It passes exactly through an end of the arc and out of its
-/// quarter, because the solid that the arc bounds ends there too. A circle does not pass: it
+/// [`leave_quarter`] for the corner of a box. It passes exactly through an end of the arc and out
+/// of its quarter, because the solid that the arc bounds ends there too. A circle does not pass: it
 /// reaches farther to the side.
 pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<Entry> {
     let passes = |x: i32, y: i32, along: i32| {
@@ -206,8 +206,8 @@ pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<
     if passes { None } else { leave_quarter(m, r, d, quadrant) }
 }
 
-/// The same if the disc is a point: a body as wide as the pipe reaches its centre, touches all of
-/// it, and moves on against an end.
+/// [`leave_quarter`] if the disc is a point: a body as wide as the pipe reaches its centre, touches
+/// all of it, and moves on against an end.
 #[inline(never)]
 pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {
     let (a, b) = (d.len2(), m.dot(d).wrapping_neg());

@@ -91,7 +91,8 @@ fn around(
     for i in 0..core.corners.len() {
         let (here, next, last) = (core.corner(i), core.corner(core.after(i)), core.corner(core.before(i)));
         let (e, m) = (next.sub(here), p.sub(here));
-        // Of the side that begins here: the point before it, beside it by the rounding at most.
+        // For the side that begins here: the point in front of it, beside it by the rounding at
+        // most.
         let (height, foot, slack) = (e.cross(m).wrapping_neg(), e.dot(m), aside(Axis::new(e.x, e.y)));
         let beyond = foot.wrapping_sub(e.len2() as i64);
         let near = !less128(mul64(far, e.len2()), sqr64(height.unsigned_abs()));
@@ -114,9 +115,9 @@ fn around(
 }
 
 /// The tangents of a quarter pipe at the corners of the body that are at it. A corner outside of
-/// the disc is behind the pipe: beside its end, where the solid between is a cusp. Of corners
-/// within the rounding distance of each other the outermost stands for all: more would fill the
-/// list of ways.
+/// the disc is behind the pipe: beside its end, where the solid between is a cusp. The outermost of
+/// the corners within the rounding distance of each other stands for all, because more would fill
+/// the list of ways.
 fn pipe(core: Core<'_>, centre: Raw, radius: i32, quadrant: Axis, plane: &mut dyn FnMut(Plane)) -> bool {
     let room = radius.wrapping_sub(core.radius);
     if room <= 0 {

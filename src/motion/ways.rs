@@ -102,9 +102,9 @@ impl Way {
         (longer || b > above(self.v, a)).then_some(longer)
     }
 
-    /// The velocity itself goes first, then its longer projections. Of equal lengths, mirrored or
-    /// not, the one longer along x goes first, then +. Then the planes decide in the same way. The
-    /// order of visits never decides.
+    /// The velocity itself comes first, then its longer projections. If lengths are equal, mirrored
+    /// or not, the one longer along x comes first, then +. Then the planes decide in the same way.
+    /// The order of visits never decides.
     fn goes_before(&self, other: &Self, of: Raw) -> bool {
         let (Some(p), Some(q)) = (&self.along, &other.along) else { return self.along.is_none() };
         let (n, m) = (p.normal, q.normal);
@@ -282,7 +282,7 @@ impl Ways {
             }
         }
         // A way slower than its rounding leads nowhere. A body that gravity presses into a shallow
-        // wedge therefore comes to rest.
+        // wedge therefore stops.
         let is_exact = plane.normal.x == 0 || plane.normal.y == 0;
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;

@@ -7,17 +7,17 @@ use super::{Fx, Raw, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
 use core::ops::Neg;
 use fixed::types::I2F30;
 
-/// An exact direction: two integers of any common scale.
+/// An exact direction: two integers at any common scale.
 ///
 /// Normals have this type, because a unit vector cannot be exact. `(1, 2)` is the direction of a
 /// slope, but no fixed-point vector is exactly `(1, 2) / sqrt(5)`. Call [`Axis::unit`] if you need
 /// the rounded unit vector.
 ///
-/// Keep both components above `i32::MIN`, which has no opposite: [`perp`](Self::perp) and
-/// [`reversed`](Self::reversed) leave it as it is. [`OrientedBox::new`](crate::OrientedBox::new)
-/// refuses such a direction. [`Mover::platformer`](crate::Mover::platformer) takes `-i32::MAX` for
-/// it. Products, [`unit`](Self::unit) and the replies of [`response`](crate::motion::response) need
-/// no opposite.
+/// Keep both components above `i32::MIN`, which has no opposite. [`perp`](Self::perp) and
+/// [`reversed`](Self::reversed) leave it unchanged. [`OrientedBox::new`](crate::OrientedBox::new)
+/// refuses such a direction. [`Mover::platformer`](crate::Mover::platformer) uses `-i32::MAX`
+/// instead. Products, [`unit`](Self::unit) and the functions of
+/// [`response`](crate::motion::response) need no opposite.
 ///
 /// ```
 /// use tilesat::Axis;
@@ -52,7 +52,23 @@ impl Axis {
         Self { x, y }
     }
 
-    /// The dot product. Exact, unless all four components are `i32::MIN`: any other sum fits.
+    /// The direction of a vector, exact; as `Axis::from`, usable in constants.
+    ///
+    /// The zero vector gives the zero axis, and a component of `Fx::MIN` one without an opposite.
+    ///
+    /// ```
+    /// use tilesat::{Axis, Vec2, fx};
+    /// let aim = Axis::of(Vec2::from_ints(45, 19) - Vec2::from_ints(75, 59));
+    /// assert_eq!(aim, Axis::new(-30 << 16, -40 << 16));
+    /// assert!(aim.perp_dot(Axis::X) > 0);
+    /// ```
+    #[must_use]
+    pub const fn of(v: Vec2) -> Self {
+        let (x, y) = v.raw();
+        Self::new(x, y)
+    }
+
+    /// The dot product. Exact, unless all four components are `i32::MIN`.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         // Across a face along an axis: one product, or none.
@@ -86,12 +102,11 @@ impl Axis {
     /// The dot product with a vector, in units of this axis' scale times raw.
     #[must_use]
     pub const fn dot_vec(self, v: Vec2) -> i64 {
-        let (x, y) = v.raw();
-        self.dot(Self::new(x, y))
+        self.dot(Self::of(v))
     }
 
-    /// How fast a velocity leads against this direction: how hard a body hits a surface with this
-    /// normal. Zero if it leads along or away.
+    /// How fast a velocity points against this direction: the speed at which a body hits a surface
+    /// with this normal. Zero if it points along the surface or away from it.
     ///
     /// Rounded to nearest, half a raw unit up; exact along x and y. Speeds of 2^30 raw and more,
     /// which no motion has, give `Fx::MAX`.
@@ -121,13 +136,13 @@ impl Axis {
         Fx::from_bits(if speed < 1 << 30 { speed as i32 } else { i32::MAX })
     }
 
-    /// This direction turned by a right angle: `(-y, x)`. For `y` above `i32::MIN`.
+    /// This direction turned by a right angle: `(-y, x)`. `y` must be above `i32::MIN`.
     #[must_use]
     pub const fn perp(self) -> Self {
         Self::new(self.y.wrapping_neg(), self.x)
     }
 
-    /// The opposite direction. For components above `i32::MIN`.
+    /// The opposite direction. The components must be above `i32::MIN`.
     #[must_use]
     pub const fn reversed(self) -> Self {
         Self::new(self.x.wrapping_neg(), self.y.wrapping_neg())
@@ -182,6 +197,13 @@ const fn times(a: i32, b: i32) -> i64 {
     }
 }
 
+/// The direction of a vector, exact: [`Axis::of`].
+impl From<Vec2> for Axis {
+    fn from(v: Vec2) -> Self {
+        Self::of(v)
+    }
+}
+
 impl Neg for Axis {
     type Output = Self;
     fn neg(self) -> Self {
@@ -208,7 +230,7 @@ impl UnitVec2 {
         Self { x: I2F30::from_bits(x), y: I2F30::from_bits(y) }
     }
 
-    /// Of an axis of length one along x or y.
+    /// The unit vector of an axis of length one along x or y.
     #[inline(always)]
     pub(crate) const fn along(axis: Axis) -> Self {
         Self::from_raw(axis.x.wrapping_mul(1 << 30), axis.y.wrapping_mul(1 << 30))
@@ -243,8 +265,8 @@ impl UnitVec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
-    /// The vector with this direction and a length, each component rounded toward zero. A negative
-    /// length reverses it.
+    /// The vector with this direction and the given length, each component rounded toward zero. A
+    /// negative length reverses it.
     ///
     /// It exceeds the length by less than a raw unit. Mirrored directions give mirrored bits.
     /// Cost: two products, no division.
@@ -262,7 +284,7 @@ impl UnitVec2 {
 }
 
 /// `unit * length / 2^30`, toward zero: |unit| is at most 2^30, so it is as large as the length at
-/// most, 2^31; that saturates where it is positive.
+/// most, 2^31; that saturates if it is positive.
 const fn part(unit: i32, length: i32) -> i32 {
     let size = (umul(unit.unsigned_abs(), length.unsigned_abs()) >> 30) as u32;
     if (unit < 0) != (length < 0) {
@@ -323,9 +345,9 @@ pub(super) const fn unit_nearest(axis: Axis) -> UnitVec2 {
 ///
 /// [`normalise`] shifts the components, squares them, and rounds off 32 or 33 bits of the products.
 /// Here they are shifted by one more in the first case, less one in both, and 32 bits are rounded
-/// off. A component is at most the length: the products are at most 2^62 and a rounding error. Of
-/// one below zero, halves are rounded the other way.
-/// Of 2^30 alone [`rsqrt`] is one less than this reciprocal: by a quarter of the last place.
+/// off. A component is at most the length: the products are at most 2^62 and a rounding error. For
+/// a product below zero, halves are rounded the other way. Only for 2^30, [`rsqrt`] is one less
+/// than this reciprocal: by a quarter of the last place.
 #[inline(always)]
 pub(crate) const fn unit_by(axis: Axis, inverse: InverseRoot) -> UnitVec2 {
     let factor = (inverse.y as i64) << (inverse.half.wrapping_sub(1) & 63);
@@ -354,7 +376,7 @@ impl Normalised {
         if self.halve { (hi + 1) >> 1 } else { hi + (product as u32 >> 31) }
     }
 
-    /// An upper bound of the same with the exact reciprocal, at most 3 units above it.
+    /// An upper bound of the shifted product with the exact reciprocal, at most 3 units above it.
     ///
     /// recip is at most 1.53 below the exact one (dropping the square's low bits only raised it),
     /// which is less than 2^32 / 2^31 here: the exact product is below `hi + 2`, so half of it is
@@ -391,7 +413,7 @@ pub(crate) const fn on_circle(v: u32, r: u32, d: u64) -> u32 {
     div_sqrt(umul(v, r) << 1, d).wrapping_add(1) >> 1
 }
 
-/// [`on_circle`] for both components of a difference inside the domain, not zero.
+/// [`on_circle`] for both components of a difference inside the domain that is not zero.
 pub(crate) const fn toward(v: Raw, r: i32) -> Raw {
     let d = v.len2();
     let (x, y) = (on_circle(v.x.unsigned_abs(), r as u32, d) as i32, on_circle(v.y.unsigned_abs(), r as u32, d) as i32);

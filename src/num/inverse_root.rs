@@ -15,16 +15,16 @@ pub(crate) struct InverseRoot {
 }
 
 impl InverseRoot {
-    /// Of a number that is not zero.
+    /// The inverse root of a number that is not zero.
     #[inline(always)]
     pub(crate) const fn of(n: u64) -> Self {
-        // Nothing is wrong with zero but its shift.
+        // Only the shift of zero would be wrong.
         let half = leading_zeros64(n | 1) >> 1;
         let top = (n << (2 * half) >> 32) as u32;
         Self { y: if LONG { rsqrt_wide(top) } else { rsqrt(top) as u64 }, half }
     }
 
-    /// The same as a call, where the compiler would repeat parts of it.
+    /// [`of`](Self::of) as a call, for places at which the compiler would repeat parts of it.
     #[inline(never)]
     pub(crate) const fn called(n: u64) -> Self {
         Self::of(n)
@@ -60,7 +60,7 @@ impl InverseRoot {
         self.times_root_of(s, n, sqr64(s))
     }
 
-    /// The same with the square of `s`.
+    /// [`times`](Self::times), with the square of `s`.
     #[inline(always)]
     const fn times_root_of(self, s: u64, n: u64, square: (u64, u64)) -> u32 {
         let mut q = if LONG {

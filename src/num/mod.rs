@@ -3,7 +3,7 @@
 //!
 //! | | what | exact? |
 //! |---|---|---|
-//! | [`Fx`], [`Vec2`] | lengths and positions, 16.16 | the user's numbers |
+//! | [`Fx`], [`Vec2`] | lengths and positions, 16.16 | as given |
 //! | [`Axis`] | a direction as two integers, of any length | always exact |
 //! | [`UnitVec2`] | a direction of length one, 2.30 | within 1.5 raw |
 //! | [`Toi`] | a fraction of a motion, 2^30 = the whole | rounded down |
@@ -16,6 +16,8 @@
 //! another fixed-point format by their bits: [`Vec2::from_raw`].
 
 mod direction;
+mod domain;
+mod geometry;
 mod inverse_root;
 mod part;
 mod quotient;
@@ -30,6 +32,8 @@ mod wide;
 
 pub use direction::{Axis, UnitVec2};
 pub(crate) use direction::{on_circle, scaled, toward, unit_by, unit_ceil};
+pub use domain::{DOMAIN, MOTION};
+pub(crate) use domain::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use inverse_root::InverseRoot;
 pub use inverse_root::div_sqrt;
 pub(crate) use part::fraction;
@@ -37,13 +41,12 @@ pub use part::{Ratio, Toi};
 pub use quotient::{isqrt64, isqrt64_ceil, mul_div, mul_div_wide, recip, rsqrt};
 pub(crate) use quotient::{leading_zeros32, leading_zeros64, root128_down, root128_up};
 pub(crate) use raw::Raw;
-pub use vec2::{DOMAIN, MOTION, Vec2};
-pub(crate) use vec2::{check_coordinate, check_length, check_motion, check_radius};
+pub use vec2::Vec2;
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, sqr_signed, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 
-/// The world's scalar: signed 16.16 fixed point. A unit is whatever the game says it is, usually a
-/// pixel.
+/// The scalar type of positions and lengths: signed 16.16 fixed point. You choose what a unit is;
+/// most games use one pixel.
 ///
 /// The type is [`FixedI32`](fixed::FixedI32) of the crate [`fixed`]. One raw unit is 1/65536; the
 /// largest value is just below 32768. Write constants with [`fx!`](crate::fx): `fx!(0.25)` is
@@ -57,20 +60,20 @@ pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split,
 ///
 /// | you write | where it fails | instead |
 /// |---|---|---|
-/// | `a + b`, `a - b`, `-a` | beyond ±32768 | `a.saturating_add(b)`, `a.checked_add(b)`, ... |
-/// | `a * b` | beyond ±32768: 182 * 182 does | `a.saturating_mul(b)`, `a.checked_mul(b)` |
-/// | `a / b` | beyond ±32768; `b == 0` panics in every build | `a.checked_div(b)` |
-/// | `Fx::from_num(n)` | `n` beyond ±32768 | `Fx::checked_from_num(n)`, `Fx::saturating_from_num(n)`; `Fx::from(i16)` cannot fail |
+/// | `a + b`, `a - b`, `-a` | beyond ±32 768 | `a.saturating_add(b)`, `a.checked_add(b)`, ... |
+/// | `a * b` | beyond ±32 768, such as 182 * 182 | `a.saturating_mul(b)`, `a.checked_mul(b)` |
+/// | `a / b` | beyond ±32 768; `b == 0` panics in every build | `a.checked_div(b)` |
+/// | `Fx::from_num(n)` | `n` beyond ±32 768 | `Fx::checked_from_num(n)`, `Fx::saturating_from_num(n)`; `Fx::from(i16)` cannot fail |
 ///
-/// Operators of [`Vec2`] saturate. A game that keeps to vectors meets none of these.
+/// Operators of [`Vec2`] saturate. If you compute only with vectors, none of these occurs.
 #[doc(alias("fixed point", "Q16.16", "Fixed"))]
 pub type Fx = fixed::types::I16F16;
 
 /// An [`Fx`](crate::Fx) from a literal, always computed by the compiler.
 ///
-/// The value is rounded to the nearest raw unit (1/65536), ties to even. It may be negative, and it
-/// may be used wherever an expression may be, also inside of your own macros. Anything that is not
-/// a number within 16.16 does not compile.
+/// The value is rounded to the nearest raw unit (1/65536), ties to even. It may be negative. You
+/// can use it wherever an expression is allowed, also in your own macros. Anything that is not a
+/// number within 16.16 does not compile.
 ///
 /// ```
 /// use tilesat::{Fx, fx};
@@ -106,9 +109,10 @@ macro_rules! fx {
     };
 }
 
-/// The number that a literal says, for [`fx!`](crate::fx).
+/// The value of a literal, for [`fx!`](crate::fx).
 ///
-/// In the body of a macro, `stringify!` puts a space after a minus, and [`Fx::lit`] takes none.
+/// In the body of a macro, `stringify!` puts a space after a minus, and [`Fx::lit`] does not accept
+/// it.
 #[doc(hidden)]
 #[must_use]
 pub const fn literal(text: &str) -> Fx {

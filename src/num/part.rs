@@ -28,12 +28,12 @@ impl Toi {
         if raw <= Self::ONE.0 { Some(Self(raw)) } else { None }
     }
 
-    /// For values that are at most one by construction.
+    /// From parts in 2^30 that are at most one by construction.
     pub(crate) const fn exact(raw: u32) -> Self {
         Self(raw)
     }
 
-    /// For values that the caller has bounded.
+    /// From parts in 2^30 that the caller has bounded.
     pub(crate) const fn clamped(raw: u32) -> Self {
         Self(if raw < Self::ONE.0 { raw } else { Self::ONE.0 })
     }
@@ -65,15 +65,15 @@ impl Toi {
         if d < 0 { part.wrapping_neg() } else { part }
     }
 
-    /// This part of a component `d`, rounded. `m` plus it is no nearer to zero than the exact sum
-    /// where `away`, else no farther.
+    /// This part of a component `d`, rounded. The sum of `m` and the part is no nearer to zero than
+    /// the exact sum if `away` is true, else no farther.
     ///
-    /// While the sum is still on the side that `d` comes from, rounding toward zero keeps it away;
-    /// on zero and beyond it is one more that does.
+    /// While the sum is on the side from which `d` comes, rounding toward zero keeps it away. On
+    /// zero and beyond, one more unit does.
     #[inline]
     pub(crate) const fn of_raw_beside(self, m: i32, d: i32, away: bool) -> i32 {
         if LONG {
-            // Of positive sums, away from zero is up; the sum and the part lack the same.
+            // For positive sums, away from zero is up; the sum and the part lose the same fraction.
             let part = (d as i64).wrapping_mul(self.0 as i64);
             let sum = ((m as i64) << 30).wrapping_add(part);
             let up = if (sum > 0) == away { (1 << 30) - 1 } else { 0 };
@@ -82,7 +82,8 @@ impl Toi {
         self.of_words_beside(m, d, away)
     }
 
-    /// The same in words. Each hit of a corner or an arc asks twice, so it is apart.
+    /// The part in 32-bit words. A separate function, because each hit of a corner or an arc calls
+    /// it twice.
     #[inline(never)]
     const fn of_words_beside(self, m: i32, d: i32, away: bool) -> i32 {
         let product = super::umul(d.unsigned_abs(), self.0);
@@ -114,7 +115,7 @@ impl Toi {
 pub struct Ratio(u32);
 
 impl Ratio {
-    /// Nothing.
+    /// Zero; exact.
     pub const ZERO: Self = Self(0);
     /// One half; exact.
     pub const HALF: Self = Self(1 << 29);
@@ -134,7 +135,7 @@ impl Ratio {
         Some(Self(floor.wrapping_add((rest >= den as u64 - rest) as u32)))
     }
 
-    /// Hundredths, to nearest; `None` above 100.
+    /// A ratio of `n` hundredths, rounded to nearest; `None` above 100.
     ///
     /// ```
     /// use tilesat::{Ratio, fx};
@@ -158,7 +159,7 @@ impl Ratio {
         self.0
     }
 
-    /// One less this; exact.
+    /// One minus this ratio; exact.
     #[must_use]
     pub const fn complement(self) -> Self {
         Self(Self::ONE.0 - self.0)
@@ -204,7 +205,7 @@ pub(crate) fn fraction(num: u32, den: u32) -> u32 {
 /// Long division in three digits of ten bits, each from a 16-bit reciprocal that is never too
 /// large. A digit is short by less than 0.11 before it is floored, as each of its three factors
 /// adds: the remainder without its low 15 bits 2^-5, the divisor so 2^-5, the reciprocal 2^10 times
-/// 2^-14.4. So it is right or one too small, and the remainder, below `2 den`, tells.
+/// 2^-14.4. So it is right or one too small, and the remainder, below `2 den`, decides.
 #[inline]
 pub(super) fn by_digits(num: u32, den: u32) -> u32 {
     let (mut rest, mut den) = (num, den);

@@ -66,11 +66,11 @@ pub const fn rsqrt(h: u32) -> u32 {
     }
 }
 
-/// [`rsqrt`] in double words, for 64-bit processors. Of 2^30 it is 2^32, for which a word has no
-/// room.
+/// [`rsqrt`] in double words, for 64-bit processors. For 2^30 it is 2^32, which does not fit a
+/// word.
 ///
-/// The same sum, of which all parts are shifted at once: rounded up, as what is subtracted is
-/// rounded down.
+/// It computes the same sum, but shifts all parts at once. The sum is rounded up, because the
+/// subtrahend is rounded down.
 #[inline(always)]
 pub(super) const fn rsqrt_wide(h: u32) -> u64 {
     let y0 = min32(rsqrt_seed(h), 65535);
@@ -175,7 +175,7 @@ pub(crate) fn root128_up(n: (u64, u64)) -> u64 {
     (root as u64 + (super::wide::usqr(root) != word) as u64) << (shift / 2)
 }
 
-/// The same as a lower bound (exact floor below 2^64).
+/// A lower bound of the root (the exact floor below 2^64).
 pub(crate) fn root128_down(n: (u64, u64)) -> u64 {
     let (top, shift) = top_word(n);
     let root = if shift == 0 { root64(top) } else { root_norm(top) };

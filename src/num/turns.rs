@@ -6,10 +6,10 @@ impl Axis {
     /// The direction at an angle in turns, counter-clockwise (y up) from +x: a quarter is +y. About
     /// 2^30 long.
     ///
-    /// Quarter turns are exact, and mirrored and turned angles give mirrored and turned directions
-    /// bit for bit. Others are within 2^-23 of the exact direction. Whole turns change nothing: an
-    /// [`Fx`] has 65536 steps per turn. Cost: 14 products, some 400 instructions on a Cortex-M0;
-    /// none in a constant.
+    /// Quarter turns are exact. Mirrored and turned angles give mirrored and turned directions bit
+    /// for bit. Other angles are within 2^-23 of the exact direction. Whole turns change nothing:
+    /// an [`Fx`] has 65 536 steps per turn. Cost: 14 products, some 400 instructions on a
+    /// Cortex-M0; none in a constant.
     ///
     /// ```
     /// use tilesat::{Axis, fx};

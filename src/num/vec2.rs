@@ -1,5 +1,4 @@
-//! Vectors, and the range of coordinates that shapes and levels accept. Inside that domain no
-//! query can wrap.
+//! Vectors: constructors, conversions, products and operators.
 
 use super::{Fx, imul, mul_div, umul};
 use crate::error::{Quantity, RangeError};
@@ -7,9 +6,9 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 
 /// A position or displacement in units.
 ///
-/// Names are glam's where glam has them. Operators never panic and never wrap: they saturate at the
-/// ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods return `None`
-/// instead.
+/// Methods have the names of glam, if glam has them. Operators never panic and never wrap: they
+/// saturate at the ends of 16.16, far outside the [domain](super::DOMAIN). The `checked_` methods
+/// return `None` instead.
 ///
 /// | operator | rounding | overflow, and division by zero |
 /// |---|---|---|
@@ -40,6 +39,14 @@ pub struct Vec2 {
 impl Vec2 {
     /// The origin.
     pub const ZERO: Self = Self::from_raw(0, 0);
+    /// One unit to the right.
+    pub const X: Self = Self::from_ints(1, 0);
+    /// One unit in the direction in which y grows.
+    pub const Y: Self = Self::from_ints(0, 1);
+    /// One unit to the left.
+    pub const NEG_X: Self = Self::from_ints(-1, 0);
+    /// One unit against y: up on a screen.
+    pub const NEG_Y: Self = Self::from_ints(0, -1);
 
     /// A vector from its components.
     #[must_use]
@@ -60,19 +67,21 @@ impl Vec2 {
         Self::from_raw((x as i32) << 16, (y as i32) << 16)
     }
 
-    /// A vector from floating point, each component rounded to nearest, ties to even; `None` where
-    /// one is not finite or does not fit 16.16.
+    /// A vector from floating point, each component rounded to nearest, ties to even. `None` if one
+    /// is not finite or does not fit 16.16.
     ///
-    /// No query uses it. It computes with integers only, so a chip without an FPU links no
+    /// An `Option`, because not every `f32` is a vector; [`to_f32`](Self::to_f32) cannot fail. No
+    /// query uses it. It computes with integers only, so a chip without an FPU links no
     /// floating-point routine.
     #[must_use]
     pub fn from_f32(x: f32, y: f32) -> Option<Self> {
         Some(Self { x: Fx::checked_from_num(x)?, y: Fx::checked_from_num(y)? })
     }
 
-    /// Both components as floating point, rounded to nearest, ties to even: for drawing.
+    /// Both components as floating point, rounded to nearest, ties to even. Use it for drawing.
     ///
-    /// Exact below 256 units: an `f32` has 24 bits.
+    /// Exact below 256 units: an `f32` has 24 bits. A tuple, which other crates' vectors take:
+    /// `glam::Vec2::from(v.to_f32())`.
     ///
     /// ```
     /// assert_eq!(tilesat::Vec2::from_ints(3, -4).to_f32(), (3.0, -4.0));
@@ -82,7 +91,7 @@ impl Vec2 {
         (self.x.to_num(), self.y.to_num())
     }
 
-    /// The whole units below, toward negative infinity: the pixel that holds the point.
+    /// The pixel that holds the point: whole units, rounded toward negative infinity.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};
@@ -99,14 +108,18 @@ impl Vec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
-    /// The dot product in square raw units. Exact for differences of points inside the domain.
+    /// The dot product in square raw units, unlike glam's: `1 << 32` is a square unit.
+    ///
+    /// Exact for differences of points inside the domain.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         imul(self.x.to_bits(), rhs.x.to_bits()).wrapping_add(imul(self.y.to_bits(), rhs.y.to_bits()))
     }
 
-    /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units. Positive if `rhs` is
-    /// counter-clockwise of `self` with y up, and clockwise on a screen.
+    /// The perpendicular dot product `x1 y2 - y1 x2` in square raw units, unlike glam's.
+    ///
+    /// Positive if `rhs` is counter-clockwise of `self` with y up, and clockwise on a screen. Exact
+    /// for differences of points inside the domain.
     ///
     /// ```
     /// use tilesat::Vec2;
@@ -119,14 +132,14 @@ impl Vec2 {
         imul(self.x.to_bits(), rhs.y.to_bits()).wrapping_sub(imul(self.y.to_bits(), rhs.x.to_bits()))
     }
 
-    /// The square of the length in square raw units, exact.
+    /// The square of the length in square raw units, unlike glam's. Exact.
     #[must_use]
     pub const fn length_squared(self) -> u64 {
         let (x, y) = self.raw();
         super::usqr(x.unsigned_abs()).wrapping_add(super::usqr(y.unsigned_abs()))
     }
 
-    /// The length, rounded down to a raw unit; saturates above 32767 units.
+    /// The length, rounded down to a raw unit; saturates above 32 767 units.
     ///
     /// Cost: one square root, about 300 instructions on a Cortex-M0.
     #[must_use]
@@ -134,20 +147,6 @@ impl Vec2 {
     pub const fn length(self) -> Fx {
         let root = super::isqrt64(self.length_squared());
         Fx::from_bits(if root > i32::MAX as u32 { i32::MAX } else { root as i32 })
-    }
-
-    /// The smaller of each component.
-    #[must_use]
-    pub const fn min(self, rhs: Self) -> Self {
-        let ((ax, ay), (bx, by)) = (self.raw(), rhs.raw());
-        Self::from_raw(if ax < bx { ax } else { bx }, if ay < by { ay } else { by })
-    }
-
-    /// The larger of each component.
-    #[must_use]
-    pub const fn max(self, rhs: Self) -> Self {
-        let ((ax, ay), (bx, by)) = (self.raw(), rhs.raw());
-        Self::from_raw(if ax > bx { ax } else { bx }, if ay > by { ay } else { by })
     }
 
     /// `self + rhs`, each component saturating; as `+`, usable in constants.
@@ -187,19 +186,19 @@ impl Vec2 {
         Self::from_raw(saturated(quotient(x, divisor)), saturated(quotient(y, divisor)))
     }
 
-    /// `self + rhs`; `None` where a component does not fit 16.16.
+    /// `self + rhs`; `None` if a component does not fit 16.16.
     #[must_use]
     pub const fn checked_add(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_add(rhs.x), self.y.checked_add(rhs.y))
     }
 
-    /// `self - rhs`; `None` where a component does not fit 16.16.
+    /// `self - rhs`; `None` if a component does not fit 16.16.
     #[must_use]
     pub const fn checked_sub(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_sub(rhs.x), self.y.checked_sub(rhs.y))
     }
 
-    /// `self * factor`, each component rounded toward zero; `None` where one does not fit 16.16.
+    /// `self * factor`, each component rounded toward zero; `None` if one does not fit 16.16.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};
@@ -212,7 +211,7 @@ impl Vec2 {
         both(fitting(product(x, factor)), fitting(product(y, factor)))
     }
 
-    /// `self / divisor`, each component rounded toward zero; `None` where one does not fit 16.16,
+    /// `self / divisor`, each component rounded toward zero; `None` if one does not fit 16.16,
     /// or the divisor is zero.
     #[must_use]
     pub const fn checked_div(self, divisor: Fx) -> Option<Self> {
@@ -286,7 +285,7 @@ impl Div<Fx> for Vec2 {
     }
 }
 
-/// Exact, or saturated.
+/// Exact, or saturates.
 impl Mul<i32> for Vec2 {
     type Output = Self;
     fn mul(self, factor: i32) -> Self {
@@ -295,7 +294,7 @@ impl Mul<i32> for Vec2 {
     }
 }
 
-/// Rounded toward zero; by zero as [`saturating_div`](Vec2::saturating_div).
+/// Rounded toward zero; division by zero as in [`saturating_div`](Vec2::saturating_div).
 impl Div<i32> for Vec2 {
     type Output = Self;
     fn div(self, divisor: i32) -> Self {
@@ -343,7 +342,7 @@ impl Neg for Vec2 {
     }
 }
 
-/// Width, precision and sign are those of each component, as with a tuple.
+/// The options for width, precision and sign apply to each component, as with a tuple.
 ///
 /// ```
 /// let v = tilesat::Vec2::from_ints(1, -2);
@@ -364,15 +363,15 @@ impl From<(Fx, Fx)> for Vec2 {
     }
 }
 
-/// Whole units. Exact.
+/// A vector of whole units. Exact.
 impl From<(i16, i16)> for Vec2 {
     fn from((x, y): (i16, i16)) -> Self {
         Self::from_ints(x, y)
     }
 }
 
-/// Whole units. Fails if one does not fit 16.16 (-32768 to 32767). The error's value is then the
-/// end of the range that it exceeds.
+/// A vector of whole units. Fails if one does not fit 16.16 (-32 768 to 32 767). The value of the
+/// error is then the end of the range that it exceeds.
 ///
 /// ```
 /// use tilesat::{Quantity, Vec2};
@@ -408,43 +407,4 @@ impl From<Vec2> for [Fx; 2] {
     fn from(v: Vec2) -> Self {
         [v.x, v.y]
     }
-}
-
-/// Every coordinate, radius and half extent has a raw absolute value below this, 2^29: 8192 units
-/// in 16.16.
-///
-/// Differences then need 31 bits, products of differences 62, and every predicate fits a signed
-/// 64-bit or one unsigned 128-bit comparison.
-pub const DOMAIN: i32 = 1 << 29;
-
-/// A motion's components and a moving body's extents stay below this raw value, 2^28: 4096 units in
-/// 16.16.
-pub const MOTION: i32 = 1 << 28;
-
-pub(crate) const fn check_coordinate(v: Vec2) -> Result<(), RangeError> {
-    match check(v.x, -DOMAIN, DOMAIN, Quantity::X) {
-        Ok(()) => check(v.y, -DOMAIN, DOMAIN, Quantity::Y),
-        bad => bad,
-    }
-}
-
-pub(crate) const fn check_radius(r: Fx) -> Result<(), RangeError> {
-    check(r, -1, DOMAIN, Quantity::Radius)
-}
-
-pub(crate) const fn check_length(length: Fx) -> Result<(), RangeError> {
-    check(length, -1, DOMAIN, Quantity::Length)
-}
-
-pub(crate) const fn check_motion(v: Vec2, limit: i32) -> Result<(), RangeError> {
-    match check(v.x, -limit, limit, Quantity::MotionX) {
-        Ok(()) => check(v.y, -limit, limit, Quantity::MotionY),
-        bad => bad,
-    }
-}
-
-/// Refuses values outside the open interval.
-const fn check(v: Fx, above: i32, below: i32, what: Quantity) -> Result<(), RangeError> {
-    let value = v.to_bits();
-    if above < value && value < below { Ok(()) } else { Err(RangeError { what, value }) }
 }

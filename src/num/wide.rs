@@ -8,8 +8,8 @@ use core::cmp::Ordering;
 ///
 /// Stable Rust sets no `target_feature` that distinguishes `ARMv6-M` from `ARMv7-M`. But every
 /// 32-bit Arm target with `UMULL` in all its instruction states has atomic compare-and-swap, and
-/// those without do not. (`ARMv8-M` baseline is the one exception: it uses the compiler's call,
-/// slower, with the same bits.) So no build script is needed. `--cfg tilesat_split` sets it
+/// those without do not. `ARMv8-M` baseline is the one exception: it uses the compiler's call,
+/// slower, with the same bits. So no build script is needed. `--cfg tilesat_split` sets it
 /// anywhere, so that the host's tests can run the code of those cores.
 pub const SPLIT: bool = cfg!(any(tilesat_split, all(target_arch = "arm", not(target_has_atomic = "32"))));
 

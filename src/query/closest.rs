@@ -8,17 +8,17 @@ use crate::shape::{Aabb, Circle, Segment};
 
 /// The nearest points of two shapes that are apart.
 ///
-/// `Some((a, b))`: a point of A and one of B whose distance is the distance of the shapes, each
-/// component rounded to nearest: a point may be half a raw unit off its shape. `None` where the
+/// `Some((a, b))`: a point of A and one of B whose distance is the distance of the shapes. Each
+/// component is rounded to nearest, so a point may be half a raw unit off its shape. `None` if the
 /// shapes touch or overlap; ask [`contact`](super::Contacts::contact) then. In the order (B, A) the
-/// same two points are given, exchanged.
+/// result has the same two points, exchanged.
 ///
-/// If two parallel sides make many pairs equally near, there is a rule. Between boxes (and segments
-/// along x or y) it takes the middle of the facing parts, half a raw unit rounded down. Between
-/// sloped segments it takes the lexicographically first end and its opposite.
+/// If two parallel sides make many pairs equally near, a rule decides. Between boxes (and segments
+/// along x or y) the result is the middle of the facing parts, half a raw unit rounded down.
+/// Between sloped segments it is the lexicographically first end and its opposite.
 ///
-/// Cost: a cold path, a few thousand instructions on a Cortex-M0 for circles and sloped segments,
-/// comparisons for boxes. It cannot fail.
+/// Cost: comparisons for boxes; a few thousand instructions on a Cortex-M0 for circles and sloped
+/// segments. It cannot fail.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -30,8 +30,7 @@ use crate::shape::{Aabb, Circle, Segment};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait ClosestPoint<B: ?Sized> {
-    /// A point of this shape and one of `b` that are as near as the shapes are; `None` where those
-    /// touch.
+    /// The nearest points of this shape and of `b`; `None` if the shapes touch.
     #[must_use]
     fn closest_points(&self, b: &B) -> Option<(Vec2, Vec2)>;
 }
@@ -163,7 +162,7 @@ fn segments(a: Raw, b: Raw, p: Raw, q: Raw) -> (Raw, Raw) {
     if best.of_first { (v, on_segment(v, p, q)) } else { (on_segment(v, a, b), v) }
 }
 
-/// One ordered pair, from a test that they touch and a kernel for where they do not.
+/// Implements one ordered pair, from a test that they touch and a kernel for shapes that do not.
 macro_rules! closest {
     ($a:ty, $b:ty, |$x:ident, $y:ident| $points:expr) => {
         impl ClosestPoint<$b> for $a {
@@ -205,7 +204,7 @@ closest_both!(Circle, Segment, |a, b| disc_and_segment(a.c(), a.r(), b.ra(), b.r
 closest_both!(Segment, Aabb, |a, b| segment_and_box(a.ra(), a.rb(), b.lo(), b.hi()));
 
 impl Circle {
-    /// The point of the disc that is nearest to `p`: `p` itself where it is inside.
+    /// The point of the disc that is nearest to `p`: `p` itself if it is inside.
     ///
     /// Each component is the exact one rounded to nearest, so the point may be half a raw unit
     /// outside the circle; mirrored points give mirrored bits. `p` may be anywhere. Cost: two
@@ -227,9 +226,10 @@ impl Segment {
     /// The point of the segment that is nearest to `p`.
     ///
     /// Each component is the exact one rounded to nearest, halves toward `p`, so the point may be
-    /// half a raw unit off the segment. Reversing the segment changes nothing, mirrored points give
-    /// mirrored bits. `p` may be anywhere. Exact and cheap for segments along x or y and where an
-    /// end is nearest; else two long divisions, some 2050 instructions on a Cortex-M0.
+    /// half a raw unit off the segment. Reversing the segment changes nothing, and mirrored points
+    /// give mirrored bits. `p` may be anywhere. The point is exact and cheap for segments along x
+    /// or y, or if an end is nearest. Otherwise it takes two long divisions, some 2050 instructions
+    /// on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{Segment, Vec2};
@@ -265,14 +265,14 @@ impl Square {
 
 /// The distance between two shapes, or to a point.
 ///
-/// The exact distance rounded down to a raw unit. It is zero where they touch or overlap, and where
-/// they are less than a raw unit apart; [`touches`](super::Touches::touches) distinguishes these
-/// cases. `a.distance(&b)` is `b.distance(&a)`.
+/// The exact distance is rounded down to a raw unit. It is zero if the shapes touch or overlap, or
+/// are less than a raw unit apart; [`touches`](super::Touches::touches) distinguishes these cases.
+/// `a.distance(&b)` is `b.distance(&a)`.
 ///
 /// Cost: at most one square root, about 300 instructions on a Cortex-M0 (500 to 950 for a sloped
 /// segment); four to six times that for a sloped segment against a box or a segment. It cannot
-/// fail. Points may be anywhere: only to one outside the [domain](crate::num::DOMAIN) can the
-/// distance exceed `Fx`, and it is then `Fx::MAX`.
+/// fail. Points may be anywhere. The distance to a point outside the [domain](crate::num::DOMAIN)
+/// may exceed `Fx`, and is then `Fx::MAX`.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -284,13 +284,13 @@ impl Square {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait Distance<B: ?Sized> {
-    /// The distance to `b`, rounded down; zero where the two touch.
+    /// The distance to `b`, rounded down; zero if the two touch.
     #[must_use]
     #[doc(alias = "separation")]
     fn distance(&self, b: &B) -> Fx;
 }
 
-/// The gap between two intervals; 0 where they meet. Below 2^32 for any point against a shape.
+/// The gap between two intervals; 0 if they meet. Below 2^32 for any point against a shape.
 const fn apart(alo: i32, ahi: i32, blo: i32, bhi: i32) -> u32 {
     if ahi < blo {
         ahi.abs_diff(blo)

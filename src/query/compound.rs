@@ -12,8 +12,8 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::kernel::Extent;
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Compound, ConvexPolygon, OrientedBox, Segment, Single};
 
-/// Of several answers the one with the least key; of equal ones the first by geometry, so that the
-/// order of parts does not matter.
+/// The answer with the least key; on a tie the first by geometry, so the order of parts does not
+/// matter.
 fn least<T, K: Ord>(answers: impl Iterator<Item = T>, key: impl Fn(&T) -> K) -> Option<T> {
     answers.min_by_key(key)
 }
@@ -22,8 +22,8 @@ fn order(axis: Axis) -> (u32, u32, i32, i32) {
     (axis.x.unsigned_abs(), axis.y.unsigned_abs(), axis.x, axis.y)
 }
 
-/// Of two that are as deep, that which is farther along x, then along y. The rest of the key makes
-/// different contacts differ.
+/// On a tie of the depth, the one that is farther along x, then along y. The rest of the key
+/// distinguishes all other contacts.
 fn rank(c: &Contact) -> impl Ord + use<> {
     let points = (c.point_on_a().raw(), c.point_on_b().raw());
     let of_what = (c.overlap, c.core.x, c.core.y, c.core_on_b, c.radius_a, c.radius_b, c.is_degenerate());
@@ -39,7 +39,7 @@ fn deepest_manifold(all: impl Iterator<Item = Manifold>) -> Option<Manifold> {
     least(all, |m| (of(m.deepest()), m.points().nth(1).map(of)))
 }
 
-/// The course of several parts: inside where one is, else the earliest hit.
+/// The result of a motion for several parts: inside if one is, else the earliest hit.
 fn first<M: Moment>(courses: impl Iterator<Item = Course<M>>, d: Raw) -> Course<M> {
     let mut best: Option<M> = None;
     for course in courses {
@@ -60,9 +60,9 @@ fn first<M: Moment>(courses: impl Iterator<Item = Course<M>>, d: Raw) -> Course<
     best.map_or(Course::Free, Course::Meets)
 }
 
-/// A displacement up to a hit, led back to where nothing overlaps: it is rounded away from the part
-/// that is hit, and may lead into another one. By 1, 2, 4, ... raw units along the motion, rounded
-/// to the motion on the other axis; where it starts, nothing overlaps.
+/// A displacement up to a hit, reduced until nothing overlaps. It is rounded away from the part
+/// that is hit, and may lead into another part. The steps are 1, 2, 4, ... raw units along the
+/// motion, rounded to the motion on the other axis. At the start nothing overlaps.
 fn led_back(d: Raw, step: Raw, is_free: impl Fn(Raw) -> bool) -> Raw {
     let (mut at, mut back) = (step, 1);
     let steep = d.y.unsigned_abs() > d.x.unsigned_abs();
@@ -83,12 +83,12 @@ fn led_back(d: Raw, step: Raw, is_free: impl Fn(Raw) -> bool) -> Raw {
     at
 }
 
-/// Whether two shapes overlap, as a motion of no length tells.
+/// Whether two shapes overlap, by a motion of length zero.
 fn is_inside<M>(course: &Course<M>) -> bool {
     matches!(course, Course::Inside)
 }
 
-/// The nearest pair of points of those of the parts; none where a part touches.
+/// The nearest of the pairs of points of the parts; none if a part touches.
 fn nearest(pairs: impl Iterator<Item = (Fx, Option<(Vec2, Vec2)>)>) -> Option<(Vec2, Vec2)> {
     let key = |(far, pair): &(Fx, Option<(Vec2, Vec2)>)| (*far, pair.map(|(p, q)| (p.raw(), q.raw())));
     least(pairs, key)?.1
@@ -265,10 +265,10 @@ macro_rules! rays {
     ([$($n:tt)*] $shape:ty) => {
         impl<$($n)* const M: usize> Compound<$shape, M> {
             /// The first point of a part that a ray from `origin` along `motion` meets, by the
-            /// rules of the parts; inside where it starts inside of any.
+            /// rules of the parts; inside if it starts inside any part.
             ///
             /// # Errors
-            /// [`RangeError`] where the start or the end is outside of the
+            /// [`RangeError`] if the start or the end is outside of the
             /// [domain](crate::num::DOMAIN).
             pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
                 let mut best: Option<CastHit> = None;

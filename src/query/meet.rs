@@ -1,4 +1,4 @@
-//! The boolean kernels, on raw values: strict where `CLOSED` is false, closed where it is true.
+//! The boolean kernels, on raw values: strict if `CLOSED` is false, closed if it is true.
 
 use crate::num::{LONG, Raw, SPLIT, less128, mul64, sqr_signed, usqr};
 use core::cmp::Ordering;
@@ -9,7 +9,7 @@ const fn below<const CLOSED: bool>(a: i32, b: i32) -> bool {
     if CLOSED { a <= b } else { a < b }
 }
 
-/// The same for squares of distances and of radii.
+/// [`below`] for squares of distances and of radii.
 #[inline(always)]
 pub(crate) const fn is_within<const CLOSED: bool>(square: u64, limit: u64) -> bool {
     square < limit || (CLOSED && square == limit)
@@ -59,7 +59,7 @@ pub(super) const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> b
         return true;
     }
     // |v| >= (x + y)/sqrt(2), and this is at least 23/16 r > sqrt(2) r for r > 0: from there on a point is outside the closed disc as
-    // well. r = 0 does not get here: strict, no square has a point; closed, it was accepted.
+    // well. r = 0 does not occur here: strict, no square has a point; closed, it was accepted.
     let outer = r.wrapping_add(r.wrapping_add(1) >> 1).wrapping_sub(r >> 4);
     if sum >= outer {
         return false;
@@ -73,7 +73,7 @@ pub(super) const fn by_squares<const CLOSED: bool>(x: u32, y: u32, r: u32) -> bo
     is_within::<CLOSED>(usqr(x).wrapping_add(usqr(y)), usqr(r))
 }
 
-/// A call, one for both: the frequent cases then need no registers saved.
+/// One call for both, so the frequent cases need no saved registers.
 #[inline(never)]
 const fn squares_out_of_line(x: u32, y: u32, r: u32) -> Ordering {
     let (square, limit) = (usqr(x).wrapping_add(usqr(y)), usqr(r));
@@ -108,13 +108,13 @@ const fn outside(gap: i32) -> i32 {
     if gap > 0 { gap } else { 0 }
 }
 
-/// Circle against box. A radius of zero is a point: strict it needs both gaps negative.
+/// Circle against box. A radius of zero is a point, which needs both gaps negative if strict.
 #[inline]
 pub(crate) const fn circle_aabb<const CLOSED: bool>(c: Raw, r: i32, lo: Raw, hi: Raw) -> bool {
     let (gx, gy) = (gap(c.x, lo.x, hi.x), gap(c.y, lo.y, hi.y));
     if LONG {
-        // No branch that a processor predicts wrongly: where half of the pairs hit, this takes a
-        // quarter of the time, with 36 instructions instead of 30.
+        // Without a branch that a processor predicts wrongly. If half of the pairs hit, this takes
+        // a quarter of the time, with 36 instructions instead of 30.
         let square = Raw { x: outside(gx), y: outside(gy) }.len2();
         return is_within::<CLOSED>(square, usqr(r as u32)) || (gx & gy) < 0;
     }
@@ -144,7 +144,7 @@ pub(crate) const fn circle_segment<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b
     if lo.x == hi.x || lo.y == hi.y {
         return circle_gaps::<CLOSED>(gx, gy, r);
     }
-    // Where a product is cheap the test that saves two of them is not worth its registers.
+    // If a product is cheap, the test that saves two of them is not worth its registers.
     let inside = SPLIT && gx <= 0 && gy <= 0;
     match region::<false>(c, a, b, inside) {
         Region::End(p) => circle_circle::<CLOSED>(c, p, r),
@@ -152,8 +152,8 @@ pub(crate) const fn circle_segment<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b
     }
 }
 
-/// The same without a look at the bounding box, which takes more than it saves where products are
-/// cheap: seen from the first end.
+/// Circle against segment, relative to the first end. It does not test the bounding box, which
+/// takes more than it saves if products are cheap.
 #[inline(always)]
 const fn by_region<const CLOSED: bool>(c: Raw, r: i32, a: Raw, b: Raw) -> bool {
     let (e, m) = (Offset::between(a, b), Offset::between(a, c));
@@ -265,8 +265,8 @@ pub(crate) const fn corners(a: Raw, b: Raw) -> (Raw, Raw) {
     (Raw { x: lx, y: ly }, Raw { x: hx, y: hy })
 }
 
-/// The middle of what two intervals have in common. The half raw unit that an odd sum leaves is
-/// dropped downwards: this is the one value that a mirrored scene does not mirror.
+/// The middle of what two intervals have in common. The half raw unit of an odd sum is rounded
+/// down: this is the one value that a mirrored scene does not mirror.
 #[inline]
 pub(crate) const fn middle(alo: i32, ahi: i32, blo: i32, bhi: i32) -> i32 {
     let (lo, hi) = (if alo > blo { alo } else { blo }, if ahi < bhi { ahi } else { bhi });
@@ -282,7 +282,7 @@ pub(crate) const fn clamp(p: Raw, lo: Raw, hi: Raw) -> Raw {
 }
 
 /// The least and the largest cross product of `e` (not axis-parallel) with the corners of a box,
-/// seen from `a`.
+/// relative to `a`.
 #[inline]
 pub(crate) const fn cross_range(a: Raw, e: Raw, lo: Raw, hi: Raw) -> (i64, i64) {
     // e.x y - e.y x grows with y where e.x > 0 and falls with x where e.y > 0.
@@ -312,7 +312,7 @@ pub(crate) const fn segment_aabb<const CLOSED: bool>(a: Raw, b: Raw, lo: Raw, hi
 /// collinear segments only.
 #[inline]
 pub(crate) const fn segment_segment<const CLOSED: bool>(a0: Raw, a1: Raw, b0: Raw, b1: Raw) -> bool {
-    // What crosses properly needs no look at the boxes: it only saves products.
+    // Segments that cross properly do not need the test of the boxes, which only saves products.
     if CLOSED || !LONG {
         let ((alo, ahi), (blo, bhi)) = (corners(a0, a1), corners(b0, b1));
         if !aabb_aabb::<true>(alo, ahi, blo, bhi) {
@@ -341,7 +341,7 @@ const fn on_both_sides<const CLOSED: bool>(a: Raw, b: Raw, p: Raw, q: Raw) -> bo
     if CLOSED { (s <= 0 && t >= 0) || (s >= 0 && t <= 0) } else { (s < 0 && t > 0) || (s > 0 && t < 0) }
 }
 
-/// The nearest part of a segment, seen from a point.
+/// The part of a segment that is nearest to a point.
 #[derive(Clone, Copy)]
 pub(crate) enum Region {
     /// This end; equal ends have no other region.

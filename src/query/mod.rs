@@ -4,45 +4,46 @@
 //! | verb | asks | answer | rounding |
 //! |---|---|---|---|
 //! | [`Overlaps`] | do the interiors meet? | `bool` | exact, strict |
-//! | [`OverlapsFrom`] | the same, faster with a hint from the last frame | `bool` | exact, strict |
+//! | [`OverlapsFrom`] | do the interiors meet? Faster, with a hint from the last frame | `bool` | exact, strict |
 //! | [`Touches`] | do they share a point? | `bool` | exact, closed |
-//! | [`BoxColumns`] | both, of one box and many | `[bool; N]` | exact |
-//! | [`Contacts`] | how deep, which way out, where? | `Option<`[`Contact`]`>` | axis exact, depth up, push-out away |
+//! | [`BoxColumns`] | which of many boxes does a box overlap or touch? | `[bool; N]` | exact |
+//! | [`Contacts`] | how deep, in which direction is the way out, where? | `Option<`[`Contact`]`>` | axis exact, depth up, push-out away |
 //! | [`Manifolds`] | at which one or two points do they rest? | `Option<`[`Manifold`]`>` | as a contact |
 //! | [`Contains`] | is all of B in A? | `bool` | exact, closed |
-//! | [`Distance`] | how far apart? | [`Fx`](crate::Fx) | down, 0 where they touch |
-//! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` where they touch |
+//! | [`Distance`] | how far apart are they? | [`Fx`](crate::Fx) | down, 0 if they touch |
+//! | [`ClosestPoint`] | which points are nearest? | `Option<(Vec2, Vec2)>` | nearest, `None` if they touch |
 //! | [`CastShape`] | when does this motion first hit? | `Option<`[`CastHit`]`>` | yes or no exact, time down |
 //!
-//! You can ask all but `OverlapsFrom` of every ordered pair of [`Aabb`](crate::Aabb),
+//! All but `OverlapsFrom` exist for every ordered pair of [`Aabb`](crate::Aabb),
 //! [`Circle`](crate::Circle), [`Segment`](crate::Segment), [`Capsule`](crate::Capsule),
 //! [`OrientedBox`](crate::OrientedBox) and [`ConvexPolygon`](crate::ConvexPolygon). `OverlapsFrom`
-//! needs one of the last three. [`AnyShape`](crate::shape::AnyShape) has all verbs, and a
+//! needs at least one of the last three. [`AnyShape`](crate::shape::AnyShape) has all verbs, and a
 //! [`Compound`](crate::shape::Compound) has those of its parts. In `Contains` and `Distance`, B may
 //! also be a point ([`Vec2`](crate::Vec2)). In `CastShape`, A may be a point against boxes and
 //! circles. Each shape has a method `closest_point`, and boxes, circles and segments have
 //! `cast_ray`.
 //!
-//! Every loop has a bound, and nothing divides. Only casts can fail: they refuse numbers that are
-//! out of range. A translated scene gives the same bits, and a mirrored one gives mirrored bits.
+//! Every loop has a bound, and there is no division. Only casts can fail: they refuse numbers that
+//! are out of range. A translated scene gives the same bits, and a mirrored one gives mirrored
+//! bits.
 //!
 //! Mirrored scenes may give other bits in these cases:
 //!
-//! - Degenerate contacts: their axis follows the conventions below, and their points follow it.
+//! - Degenerate contacts: their axis follows the conventions below, and their points depend on it.
 //! - Points in the middle of facing sides, of a contact or of nearest points: the middle is rounded
-//!   down, so it may be a raw unit off. Of slanted sides it is at most two off.
+//!   down, so it may be a raw unit off. For slanted sides it is at most two off.
 //! - Nearest points of slanted parallel sides: they are at the lexicographically first end of the
 //!   facing parts, so in a mirrored scene they may be at the other end.
-//! - The axis of a cast by a motion along x or y. Where it meets two sides or corners at one moment
-//!   whose axes mirror each other at the motion, the axis is the one to its left (y up).
+//! - The axis of a cast by a motion along x or y. If it meets two sides or corners at the same
+//!   moment, and their axes mirror each other at the motion, it takes the one to its left (y up).
 //! - Equally deep points of a manifold: the order of the two.
 //!
 //! Exchanging x and y also changes the choices that prefer x.
 //!
 //! # The contact of each shape
 //!
-//! A is the orange shape, and B the box. Red: the points of the manifold on B, and the normal from
-//! the points on A. Faint: A after its push-out.
+//! A is the orange shape, and B is the box. The points of the manifold on B and the normals from
+//! the points on A are red. A after its push-out is faint.
 //!
 //! <!-- contacts:begin -->
 //! <p>
@@ -144,30 +145,31 @@
 //! direction: these are the sides of the sum A + (-B). Each verb then asks about the origin and
 //! that polygon. For shapes of n and m corners it visits at most n + m sides. `overlaps` stops at
 //! the first side that separates the shapes. Boxes, capsules, and polygons of few sides have
-//! shorter tests, which give the same answers or leave the question to this one. A game of boxes,
+//! shorter tests, which give the same answers or fall back to this algorithm. A game of boxes,
 //! circles and segments links none of this code.
 //!
 //! Contacts follow the table below. If several exits are equally short, an axis along x wins, then
-//! one along y, then another. Of two opposite ones the positive wins (of slanted ones, the one with
+//! one along y, then another. If two are opposite, the positive one wins (if slanted, the one with
 //! positive y), then the first counter-clockwise from +x. Closest points on round sides are within
 //! a raw unit per component.
 //!
 //! # Degenerate cases
 //!
-//! These cases follow a convention, or are easy to guess wrong. "Point" means a shape without size.
+//! These cases follow a convention, or are easily guessed wrong. "Point" means a shape without
+//! size.
 //!
 //! | case | `overlaps` | `touches` | `contact` |
 //! |---|---|---|---|
 //! | shapes that share border points only | no | yes | none |
 //! | point or segment reaching inside a box that has area | yes | yes | least exit |
 //! | point or segment within a side or corner of a box | no | yes | none |
-//! | two boxes of which one or both have no area | as segments or points | yes where they meet | as segments |
+//! | two boxes of which one or both have no area | as segments or points | yes if they meet | as segments |
 //! | flat boxes that cross (one wide, one high) | yes | yes | least exit |
-//! | two points, or a point on a segment | no | yes, where equal | none |
+//! | two points, or a point on a segment | no | yes, if equal | none |
 //! | segments: proper crossing | yes | yes | least exit over both lines |
 //! | segments: T, common end, collinear | no | yes | none |
 //! | circle of radius 0 against a circle or box with area | yes inside | yes | radial, or least exit |
-//! | circle of radius 0 against a segment or point | no | yes, where on it | none |
+//! | circle of radius 0 against a segment or point | no | yes, if on it | none |
 //! | equal centres of circles | yes, if a radius is not 0 | yes | +x, degenerate |
 //! | circle with its centre on a side of a box | yes | yes | normal of the side |
 //! | circle with its centre on a corner of a box | yes | yes | x axis, outward, degenerate |
@@ -183,7 +185,7 @@
 //! `e` is the edge of the segment from its lexicographically smaller end (smaller x, then smaller
 //! y) to the other; parallels to x and y have axes of length one. Moving A against the axis of a
 //! degenerate contact ends the overlap as any other does. In the order (B, A) that axis is the same
-//! where its sign is a convention, and reversed where only the choice between two axes is one.
+//! if its sign is a convention. It is reversed if only the choice between two axes is a convention.
 //! The distance of shapes that are less than one raw unit apart is 0, while `touches` is false.
 
 /// A pair of different shapes, in both orders, by the macro of one ordered pair. Its kernels take

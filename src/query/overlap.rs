@@ -6,18 +6,19 @@ use crate::error::Truncated;
 use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle, Segment};
 
-/// Whether the interiors of two shapes meet: exact, and strict.
+/// Whether the interiors of two shapes meet. Exact and strict.
 ///
-/// Precisely: whether the origin is interior to the Minkowski sum A + (-B). Moving A a little in
-/// any direction then keeps the overlap. Shapes that only touch do not overlap. A point or a
-/// segment overlaps a box or a circle whose inside it reaches. Two segments overlap only where they
-/// cross properly. A circle of radius zero overlaps only shapes with area. The table of [degenerate
-/// cases](crate::query#degenerate-cases) has one line for each of the rest.
+/// Precisely: whether the origin is interior to the Minkowski sum A + (-B). So a small move of A in
+/// any direction keeps the overlap. Shapes that only touch do not overlap. A point or a segment
+/// overlaps a box or a circle if it reaches the inside. Two segments overlap only if they cross
+/// properly. A circle of radius zero overlaps only shapes with area. The table of [degenerate
+/// cases](crate::query#degenerate-cases) has a line for each of the other cases.
 ///
-/// `a.overlaps(&b)` is `b.overlaps(&a)`, and is true exactly where
-/// [`contact`](super::Contacts::contact) is `Some`. Cost on a Cortex-M0, in instructions: boxes 20;
-/// circles, and a circle and a box, 20 apart, 35 near, 85 within a rounding error of touching; a
-/// circle and a segment 55 apart, 500 near. No root, no division. It cannot fail.
+/// `a.overlaps(&b)` is `b.overlaps(&a)`, and is true exactly if
+/// [`contact`](super::Contacts::contact) is `Some`. Cost on a Cortex-M0: boxes take 20
+/// instructions. Two circles, or a circle and a box, take 20 if they are apart, 35 if near, and 85
+/// within a rounding error of touching. A circle and a segment take 55 if apart and 500 if near.
+/// There is no root and no division. It cannot fail.
 ///
 /// ```text
 ///   +----+            +----+----+          +------+
@@ -43,10 +44,10 @@ pub trait Overlaps<B: ?Sized> {
     fn overlaps(&self, b: &B) -> bool;
 }
 
-/// Whether two shapes have a point in common, borders included: exact.
+/// Whether two shapes have a point in common, borders included. Exact and closed.
 ///
-/// True wherever [`overlaps`](Overlaps::overlaps) is. `a.touches(&b)` is `b.touches(&a)`.
-/// Cost: as `overlaps`. It cannot fail.
+/// True whenever [`overlaps`](Overlaps::overlaps) is. `a.touches(&b)` is `b.touches(&a)`. Cost: as
+/// `overlaps`. It cannot fail.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -63,7 +64,8 @@ pub trait Touches<B: ?Sized> {
     fn touches(&self, b: &B) -> bool;
 }
 
-/// Both traits of one ordered pair, from one expression that is generic over strict and closed.
+/// Implements both traits for one ordered pair, from one expression that is generic over strict and
+/// closed.
 macro_rules! meets {
     ($a:ty, $b:ty, |$x:ident, $y:ident, $closed:ident| $test:expr) => {
         impl Overlaps<$b> for $a {
@@ -102,7 +104,7 @@ both_orders!(meets: Segment, Aabb, |a, b, CLOSED| meet::segment_aabb::<CLOSED>(a
 /// shapes gain less than a third in columns, so a loop of plain calls is as good for them. For the
 /// boxes near each of many bodies, [`LooseGrid`](crate::broad::LooseGrid) tests fewer of them.
 ///
-/// RAM: 16 bytes per place. On a chip without vectors, a box takes as long as in a loop.
+/// It takes 16 bytes per place. On a chip without vectors, a box takes as long as in a loop.
 ///
 /// ```
 /// use tilesat::{Aabb, Vec2, query::BoxColumns};
@@ -124,7 +126,7 @@ pub struct BoxColumns<const N: usize> {
 }
 
 impl<const N: usize> BoxColumns<N> {
-    /// The columns of some boxes, in their order. Places after the last box have none.
+    /// The columns of some boxes, in their order. Places after the last box are empty.
     ///
     /// Cost: four stores per box.
     ///
@@ -145,7 +147,7 @@ impl<const N: usize> BoxColumns<N> {
         Ok(all)
     }
 
-    /// Whether a box [overlaps](Overlaps) each of the boxes: exact, and strict.
+    /// Whether a box [overlaps](Overlaps) each of the boxes. Exact and strict.
     ///
     /// False for places without a box. It cannot fail.
     #[must_use]
@@ -153,7 +155,7 @@ impl<const N: usize> BoxColumns<N> {
         self.meets::<false>(b)
     }
 
-    /// Whether a box [touches](Touches) each of the boxes: exact, and closed.
+    /// Whether a box [touches](Touches) each of the boxes. Exact and closed.
     ///
     /// False for places without a box. It cannot fail.
     #[must_use]
@@ -173,11 +175,11 @@ impl<const N: usize> BoxColumns<N> {
     }
 }
 
-/// Whether all of another shape, or a point, lies in this one, borders included: exact.
+/// Whether all of another shape, or a point, is in this shape, borders included. Exact and closed.
 ///
 /// Both are closed sets: a shape contains itself, its corners and its border. A segment contains
-/// only points, segments along it, and boxes and circles that are as thin. Cost: comparisons for
-/// boxes, two or three squares for a circle, two products an end for a segment. It cannot fail;
+/// only points, segments along it, and boxes and circles without width. Cost: comparisons for
+/// boxes, two or three squares for a circle, two products per end for a segment. It cannot fail;
 /// points outside the [domain](crate::num::DOMAIN) are in no shape.
 ///
 /// ```
@@ -209,7 +211,7 @@ impl Contains<Vec2> for Aabb {
     }
 }
 
-/// A box is convex with sides along the axes: it contains a shape where it contains the bounding
+/// A box is convex with sides along the axes, so it contains a shape if it contains the bounding
 /// box.
 macro_rules! by_bounding_box {
     ($($shape:ty),*) => {$(

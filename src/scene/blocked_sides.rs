@@ -1,8 +1,9 @@
-//! The sides to which a body was last pushed in vain: against the level, or against others.
+//! The blocked sides of a body: those to which it was last pushed without effect, against the level
+//! or against others.
 //!
 //! Two bodies that overlap part by their masses. If something holds one of them, its share is lost:
 //! a heavy body would sink into a light one at a wall, and pass through it. So a body remembers the
-//! sides to which it is blocked. From there the other body makes the whole way.
+//! sides to which it is blocked. At a blocked side the other body makes the whole correction.
 
 use crate::num::Vec2;
 
@@ -30,14 +31,14 @@ pub(super) fn blocked_sides(push: Vec2, made: Vec2) -> u8 {
     sides(push) & !sides(made + made - push + sign(push))
 }
 
-/// A raw unit to each side of a push: exactly half of it is enough.
+/// A raw unit to each side of a push, so exactly half of it is enough.
 fn sign(push: Vec2) -> Vec2 {
     let (x, y) = push.raw();
     Vec2::from_raw(x.signum(), y.signum())
 }
 
-/// The sides that stay blocked: those to which a body was not pushed, and did not go. Otherwise it
-/// would be free in every other step, and what lies on it would jitter.
+/// The sides that stay blocked: those to which a body was not pushed, and did not move. Otherwise
+/// it would be free in every other step, and bodies on it would jitter.
 pub(super) fn still_blocked(blocked: u8, push: Vec2, made: Vec2) -> u8 {
     blocked & !sides(push) & !sides(made)
 }

@@ -1,5 +1,4 @@
-//! The bodies of a scene: what a game sets, boxes and circles mixed, and what a step keeps for
-//! each.
+//! The bodies of a scene: the values that a game sets, and the state that steps keep.
 
 use super::Shape;
 use super::blocked_sides::{blocked_sides, still_blocked};
@@ -30,32 +29,33 @@ use core::num::NonZeroU8;
 pub struct SceneBody<S = Shape> {
     /// Its shape and position.
     pub shape: S,
-    /// Units per step. A body without a mass does not move by it, but others feel it: a conveyor.
+    /// The velocity in units per step. A body without a mass does not move by it, but carries
+    /// others, as a conveyor does.
     pub velocity: Vec2,
-    /// In any unit that all bodies share. `None` is a wall, a platform, a trigger: no step moves
-    /// it.
+    /// The mass in any unit that all bodies share. `None` is a wall, a platform or a trigger, which
+    /// no step moves.
     pub mass: Option<NonZeroU8>,
     /// Its restitution and friction at the level. If two bodies meet, the surface that bounces more
-    /// counts, on a tie the one with less friction.
+    /// is used, on a tie the one with less friction.
     pub surface: Surface,
     /// The response to level tiles with flags, instead of a bounce by its
     /// [`surface`](Self::surface). A grenade that stops in mud touches it, and a ball slides along
     /// grass.
     pub responses: Responses,
-    /// Which bodies it meets. [Sensors](Filter::sensor) are reported; they push nobody and nobody
-    /// pushes them. The scene sets [still](Filter::still).
+    /// Which bodies it meets. [Sensors](Filter::sensor) are reported, but do not push and are not
+    /// pushed. The scene sets [still](Filter::still).
     pub filter: Filter,
-    /// A number from the game, unique among the bodies. Unique keys make all results independent of
-    /// the order of insertion. You can use it as a name, too. If two bodies share a key, the slot
-    /// decides which of a pair is `a`; nothing else changes.
+    /// A number that you choose, unique among the bodies. Unique keys make all results independent
+    /// of the order of insertion. You can use it to identify the body, too. If two bodies share a
+    /// key, the slot decides which of a pair is `a`; nothing else changes.
     pub key: u32,
-    /// Gravity does not act on it: a balloon, a bullet, a lift. It falls asleep in the air if it
-    /// hardly moves.
+    /// Whether gravity does not act on it, as on a balloon, a bullet or a lift. Such a body falls
+    /// asleep in the air if it hardly moves.
     pub floats: bool,
-    /// It meets others [on its whole way](super#fast-bodies), however slow it is: a crusher among
-    /// small things, a hero. Bodies that press against others in every step sink in without it. A
-    /// body that moves by more than half of its smaller side in a step always does. It
-    /// [costs](super#fast-bodies) much for a crowd.
+    /// Whether it meets others [on its whole path](super#fast-bodies), however slow it is. Set it
+    /// for a crusher among small things, or a hero. Without it, bodies that press against others in
+    /// every step sink in. A body that moves by more than half of its smaller side in a step is
+    /// always fast. It is [expensive](super#fast-bodies) for a crowd.
     pub fast: bool,
 }
 
@@ -89,7 +89,8 @@ impl<S: BodyShape> SceneBody<S> {
         Self::of_shape(shape.into(), key)
     }
 
-    /// Like [`of`](Self::of), also in constants: a level's bodies as a table in flash.
+    /// Like [`of`](Self::of), usable in constants. So the bodies of a level can be a table in
+    /// flash.
     ///
     /// ```
     /// use tilesat::scene::{SceneBody, Shape};
@@ -144,8 +145,8 @@ pub(super) enum Mode {
     Free = 0,
     /// No step moves it.
     Fixed = 1,
-    /// Its body is in the list of those awake, and was not when the last step began: that did not
-    /// report all that it touched.
+    /// Its body is in the list of those awake, and was not when the last step began. So that step
+    /// did not report everything that it touched.
     Woken = 2,
     /// It was in the list then, too.
     Awake = 3,
@@ -172,7 +173,7 @@ pub(super) struct Slot<S> {
     pub(super) support: u8,
     /// The slot of that fixed body.
     pub(super) ground: u16,
-    /// The [sides](super::blocked_sides) to which it was last pushed in vain.
+    /// The [sides](super::blocked_sides) to which it was last pushed without effect.
     pub(super) blocked: u8,
     pub(super) tally: Tally,
     pub(super) way: BodyWay,
@@ -186,8 +187,8 @@ pub(super) struct Tally {
     pub(super) high: Vec2,
     /// The sum of the changes of its velocity.
     pub(super) kick: Vec2,
-    /// How many bodies run into it. Once all have made their steps, the fewest quiet steps of the
-    /// bodies that it represents.
+    /// How many bodies run into it. After all have moved, the fewest quiet steps of the bodies that
+    /// it represents.
     pub(super) hits: u16,
     /// Another body that it touches, directly or not; its own slot if it represents all of them.
     pub(super) link: u16,
@@ -206,12 +207,12 @@ pub(super) const SEVERAL: u16 = u16::MAX - 1;
 /// No slot: at the end of the step, nothing holds the body.
 pub(super) const FLIES: u16 = u16::MAX - 2;
 
-/// Carried by nothing.
+/// Nothing carries it.
 pub(super) const ALOFT: u8 = u8::MAX;
 
 impl<S: BodyShape> Slot<S> {
     /// A slot without a body. All its bits are zero, so a static scene without bodies takes no
-    /// flash. Nothing but the mode counts.
+    /// flash. Only the mode matters.
     pub(super) const FREE: Self = Self {
         body: SceneBody::NOBODY,
         generation: 0,
@@ -245,8 +246,8 @@ impl<S: BodyShape> Slot<S> {
         self.mode.is_awake()
     }
 
-    /// Notes the sides to which it was pushed in vain, in a step that moved it by `made`: by the
-    /// level, or since others pushed back.
+    /// Updates the blocked sides in a step that moved it by `made`: the level stopped it, or others
+    /// pushed back.
     pub(super) fn block(&mut self, by_level: u8, made: Vec2) {
         let Tally { low, high, .. } = self.tally;
         let (pushed, one_sided) = (low + high, low == Vec2::ZERO || high == Vec2::ZERO);
@@ -259,7 +260,7 @@ impl<S: BodyShape> Slot<S> {
         gravity != Vec2::ZERO && self.support != 0 && self.support != ALOFT
     }
 
-    /// Whether a look at its start is not enough.
+    /// Whether a test of its start is not enough.
     pub(super) fn is_fast(&self) -> bool {
         // Each is a motion: no sum wraps.
         let Tally { low, high, kick, .. } = self.tally;

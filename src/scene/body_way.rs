@@ -1,4 +1,4 @@
-//! The ways of a body: in a step, once its velocity is known, and since it rests.
+//! The straight ways of a body in a step, and its drift since it rests.
 
 use crate::broad::Handle;
 use crate::num::{Axis, Raw, Toi, Vec2};
@@ -6,7 +6,8 @@ use crate::num::{Axis, Raw, Toi, Vec2};
 /// The way of a body in a step, once its velocity is known: straight ways only.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BodyWay {
-    /// Units in a whole step. The body makes the part for the rest of the step.
+    /// The displacement of a whole step, in units. The body makes the part for the rest of the
+    /// step.
     pub(super) rate: Vec2,
     /// The time at which it is at the position of its shape: the step's end, except for swept
     /// bodies.
@@ -24,7 +25,7 @@ pub(super) struct BodyWay {
     pub(super) stop: Heading,
 }
 
-/// One of eight directions, or none: a byte, so that a way stays at 32.
+/// One of eight directions, or none, in a byte, so a way takes 32 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Heading(i8);
 
@@ -44,8 +45,8 @@ impl Heading {
     }
 }
 
-/// How often a way may be turned in a step. Then the body waits for the next one, and goes along
-/// with those that it meets. Between plates that close there is no last time.
+/// How often a way may be turned in a step. Then the body waits for the next step, and moves along
+/// with those that it meets. Between closing plates it would be turned for ever.
 ///
 /// Of 322 000 ways that were turned in the tests of scenes, 91 % had their last turn by the fourth,
 /// 95 % by the eighth and 97 % ever.
@@ -54,11 +55,11 @@ pub(super) const TURNS: u8 = 8;
 /// How a body makes its step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pace {
-    /// It meets others where they are at the step's start, or nobody is in its reach.
+    /// It meets others at their positions at the start of the step, or no other is in its reach.
     Slow,
-    /// It moves after all that is below it, which may carry it.
+    /// It moves after all bodies below it, which may carry it.
     Lies,
-    /// It has made its step, and a body below was pushed into it.
+    /// It has moved, and a body below was pushed into it.
     Moved,
     /// It moves from one hit to the next.
     Swept,
@@ -77,7 +78,7 @@ pub(super) enum WayEnd {
 impl BodyWay {
     pub(super) const REST: Self = Self::made(Vec2::ZERO);
 
-    /// Of no body: all bits are zero.
+    /// The way of no body: all bits are zero.
     pub(super) const BLANK: Self = Self { since: Toi::ZERO, end: (Toi::ZERO, WayEnd::Level), ..Self::made(Vec2::ZERO) };
 
     /// It waits for those below.
@@ -114,7 +115,7 @@ impl BodyWay {
         (self.since, self.rate) = (time, velocity);
     }
 
-    /// Whether it is turned no more in this step, only slowed down to the motion of others.
+    /// Whether it is not turned any more in this step, only slowed down to the motion of others.
     pub(super) fn waits(&self) -> bool {
         self.turns >= TURNS
     }
@@ -160,7 +161,7 @@ pub(super) fn common(a: Vec2, b: Vec2) -> Vec2 {
     Vec2::from_raw(of(ax, bx), of(ay, by))
 }
 
-/// How far a way leads at most.
+/// The longest displacement of a way.
 pub(super) fn size(v: Vec2) -> u32 {
     let Raw { x, y } = Raw::of(v);
     x.unsigned_abs().saturating_add(y.unsigned_abs())
@@ -172,11 +173,11 @@ pub(super) fn later(from: Toi, part: Toi) -> Toi {
     Toi::clamped(from.raw().wrapping_add(part.of_raw(left as i32) as u32))
 }
 
-/// How far a body has come since it rests: up to a unit on each axis, in steps of 32 raw.
+/// How far a body has moved since it rests: up to a unit on each axis, in steps of 32 raw.
 ///
-/// Coarser steps do not do: of 512 raw a fast fall has many and a slow rise none, and a body in a
-/// heap that hops on one spot would seem to drift. Two times 12 bits leave a slot of a snapshot at
-/// 88 bytes, and so a snapshot of 64 bodies below 8 KB.
+/// Coarser steps do not work. With 512 raw, a fast fall has many steps and a slow rise none, and a
+/// body in a heap that hops on one spot would seem to drift. Two times 12 bits leave a slot of a
+/// snapshot at 88 bytes, and so a snapshot of 64 bodies below 8 KB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Drift([u8; 3]);

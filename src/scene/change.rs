@@ -13,7 +13,7 @@ use crate::num::{MOTION, Vec2, check_motion};
 use crate::shape::Aabb;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Adds `by` to a body's velocity, and wakes the body.
+    /// Adds `by` (units per step) to the velocity of a body, and wakes the body.
     ///
     /// ```
     /// use tilesat::broad::{BroadPhase, SortSweep};
@@ -22,7 +22,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
     /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
     /// let (near, far) = (scene.insert(&SceneBody::new(at(10)?, 1))?, scene.insert(&SceneBody::new(at(90)?, 2))?);
-    /// // An explosion at (0, 0), of 40 units.
+    /// // An explosion at (0, 0) with a radius of 40 units.
     /// let mut hit = heapless::Vec::<_, 8>::new();
     /// let region = Aabb::new(Vec2::from_ints(-40, -40), Vec2::from_ints(40, 40))?;
     /// scene.near().in_region(&region, |handle| hit.push(handle).expect("as many places as bodies"));
@@ -35,14 +35,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// ```
     ///
     /// # Errors
-    /// [`Stale`](crate::broad::BroadError::Stale), and velocities that no step can make. Nothing is
+    /// [`Stale`](crate::broad::BroadError::Stale), or a velocity that no step can make. Nothing is
     /// changed then.
     pub fn push(&mut self, handle: Handle, by: Vec2) -> Result<(), SceneError> {
         let velocity = self.body(handle)?.velocity;
         self.set_velocity(handle, velocity.saturating_add(by))
     }
 
-    /// Gives a body another velocity, and wakes it. For a fixed body it wakes those that touch it.
+    /// Sets the velocity of a body, in units per step, and wakes the body. For a fixed body, it
+    /// wakes the bodies that touch it.
     ///
     /// # Errors
     /// As [`push`](Self::push).
@@ -50,8 +51,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.alter(handle, |body| body.velocity = velocity)
     }
 
-    /// Moves a body elsewhere, or gives it another shape. Wakes it, and the bodies that it touched
-    /// before and touches then. Only this call moves a fixed body.
+    /// Sets the position and the shape of a body. Wakes it, and the bodies that it touched before
+    /// and touches afterwards. Only this call and [`alter`](Self::alter) move a fixed body.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
@@ -76,10 +77,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.alter(handle, |body| body.shape = shape)
     }
 
-    /// Changes a body in any way: its shape, its filter, its key, whether it has a mass. Wakes it,
-    /// and the bodies that it touched before and touches then. Sensors wake nobody else.
+    /// Changes any value of a body, such as its shape, filter, key or mass. Wakes it, and the
+    /// bodies that it touched before and touches afterwards. A sensor wakes no other body.
     ///
-    /// `change` gets a copy, which is stored as a whole or not at all. The handle stays the same.
+    /// `change` receives a copy, which is stored as a whole or not at all. The handle stays the
+    /// same.
     ///
     /// ```
     /// # use core::num::NonZeroU8;
@@ -90,7 +92,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// let bridge = scene.insert(&SceneBody::fixed(Aabb::new(Vec2::ZERO, Vec2::from_ints(40, 8))?, 1))?;
     /// scene.alter(bridge, |body| body.mass = NonZeroU8::new(5))?; // from now on it falls
     /// assert!(scene.is_awake(bridge)?);
-    /// scene.alter(bridge, |body| body.filter = body.filter.with_sensor(true))?; // and hits nobody
+    /// scene.alter(bridge, |body| body.filter = body.filter.with_sensor(true))?; // and hits nothing
     /// assert!(scene.alter(bridge, |body| body.velocity = Vec2::from_ints(0, 4096)).is_err());
     /// assert!(scene.body(bridge)?.filter.sensor());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -137,8 +139,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         Ok(())
     }
 
-    /// Wakes the bodies with boxes that touch a region, borders included: the region of a tile that
-    /// changed, or of an explosion. The bodies that these touch wake one step later.
+    /// Wakes the bodies whose boxes touch a region, borders included. Use it for the region of a
+    /// tile that changed, or of an explosion. The bodies that these touch wake one step later.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
@@ -163,7 +165,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// Cost: a region query.
     pub fn wake_region(&mut self, region: &Aabb) {
-        // Ways that led there may be of bodies that are elsewhere now.
+        // Remembered motions that led there may be those of bodies that are elsewhere now.
         if let Some(ways) = self.memory.get_mut(N..) {
             ways.fill(Remembered::Empty);
         }
@@ -180,8 +182,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.mark_woken(from);
     }
 
-    /// Wakes the bodies that a body touches, or could. What it holds may rest a raw unit above it.
-    /// A fixed body with a velocity throws what lies on it up to that far in each step.
+    /// Wakes the bodies that a body touches, or could touch. Bodies that it holds may rest a raw
+    /// unit above it. A fixed body with a velocity throws bodies that lie on it up to that far in
+    /// each step.
     pub(super) fn wake_neighbours(&mut self, body: &SceneBody<S>) {
         let thrown = if body.mass.is_none() { size(body.velocity) } else { 0 };
         if !body.filter.sensor() {
@@ -189,7 +192,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
     }
 
-    /// Removes a body from the list of those awake.
+    /// Removes a body from the list of awake bodies.
     pub(super) fn remove_from_awake(&mut self, handle: Handle) {
         let awake = self.awake.get_mut(..self.count).unwrap_or_default();
         if let (Some(last), Some(at)) = (awake.last().copied(), awake.iter().position(|&other| other == handle)) {
@@ -210,7 +213,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
     }
 
-    /// Marks the bodies woken since there were `from` awake in the broad phase.
+    /// Marks the bodies from entry `from` of the awake list on as awake in the broad phase.
     pub(super) fn mark_woken(&mut self, from: usize) {
         for handle in self.awake.iter().take(self.count).skip(from) {
             let Some(slot) = self.slots.get(handle.slot()) else { continue };
@@ -220,7 +223,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-/// A change by the game is no rest.
+/// A change by the game ends the rest of a body.
 fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Remembered], handle: Handle) {
     keep(memory, handle.slot(), None);
     if let Some(slot) = slots.get_mut(handle.slot()) {
@@ -228,7 +231,7 @@ fn unsettle<S>(slots: &mut [Slot<S>], memory: &mut [Remembered], handle: Handle)
     }
 }
 
-/// Adds a sleeping body to the list of those awake. Its quiet steps stay: a body that only touches
+/// Adds a sleeping body to the list of awake bodies. Its quiet steps stay: a body that only touches
 /// it does not keep a heap from falling asleep.
 pub(super) fn add_to_awake<S>(slots: &mut [Slot<S>], awake: &mut [Handle], count: &mut usize, handle: Handle) {
     let Some(slot) = slots.get_mut(handle.slot()).filter(|slot| slot.mode == Mode::Asleep) else { return };

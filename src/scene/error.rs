@@ -5,11 +5,12 @@ use crate::error::RangeError;
 use crate::motion::MoveError;
 use core::fmt;
 
-/// The refusal, and the body that it concerns. That body, or the scene, is unchanged.
+/// The reason of a refusal, and the body that it concerns. That body, or the scene, is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneError {
-    /// The body. `None` if the fault is in the call: a body that is not in yet, a gravity.
+    /// The body. `None` if the fault is in the call, such as a body that is not yet inserted, or a
+    /// gravity.
     pub body: Option<Handle>,
     /// The fault.
     pub fault: SceneFault,
@@ -18,10 +19,11 @@ pub struct SceneError {
 /// The reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum SceneFault {
     /// The broad phase does not know the body, or has no room or cell for it.
     Broad(BroadError),
-    /// It already overlaps the level, would leave the domain, or is too fast or too large.
+    /// The body already overlaps the level, would leave the domain, or is too fast or too large.
     Move(MoveError),
 }
 

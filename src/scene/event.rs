@@ -8,6 +8,7 @@ use crate::query::Contact;
 
 /// An event of a step, reported as it happens, in no particular order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SceneEvent<'a> {
     /// Two bodies, at most one of them a sensor, touched at the step's start. Reported in every
     /// step in which they touch and one of them is awake. For begin and end, pass `pair` to

@@ -1,12 +1,11 @@
-//! Fast bodies meet others and the level on their whole way, in the order of the times.
+//! Fast bodies meet others and the level on their whole path, in the order of the times.
 //!
 //! Each has a straight way for the rest of the step, and knows its first end: the level, another
-//! body, or the step. The earliest of all ends is handled, and the bodies that it changed look
-//! again.
+//! body, or the step. The earliest end is handled, and the bodies that it changed look again.
 //!
-//! A slow body has made its step before, and replies as on the straight way from its start. A hit
-//! changes its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet
-//! again in the step move along each other, and their velocities meet in the next one.
+//! A slow body has already moved, and replies as on the straight way from its start. A hit changes
+//! its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet again in
+//! the step move along each other, and their velocities meet in the next one.
 
 use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, NOBODY, Slot};
@@ -28,9 +27,9 @@ use crate::num::{Toi, Vec2};
 use crate::query::Touches;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Releases those that have nobody in reach: only the level matters to them. Also those that
-    /// the level holds, if nobody is in reach before a third body turns it: others meet them where
-    /// they are.
+    /// Releases bodies without others in reach, to which only the level matters. Also those that
+    /// the level holds, if no other is in reach before a third body turns it: others meet them at
+    /// their positions.
     #[inline(never)]
     pub(super) fn release_unreachable<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
@@ -93,7 +92,7 @@ struct Sweep<'a, B, V, S, R> {
     room: &'a mut [Handle],
     woken: usize,
     trip: &'a Trip<'a, V>,
-    /// No slow body is farther than this from where the broad phase has it.
+    /// No slow body is farther than this from its position in the broad phase.
     margin: u32,
     stepped: &'a mut Stepped,
     replies: &'a mut R,
@@ -158,9 +157,9 @@ where
         })
     }
 
-    /// Lets the bodies in the slots that have turned find the ends of their ways, and those whose
-    /// ways depend on them; at the step's begin all. All look again if one is held: some may have
-    /// seen it move.
+    /// Finds the ends of the ways of the bodies that have turned, and of those that depend on them;
+    /// at the start of the step, of all. All look again if one is held, because some may have seen
+    /// it move.
     #[inline(never)]
     fn look_again(&mut self, mut turned: Option<[u16; 2]>) {
         loop {

@@ -1,12 +1,12 @@
 //! Bodies of a scene that remembers, and repeat their last step.
 //!
-//! If a step leaves a body as it found it, and all bodies that it touches too, then the next step
-//! does the same: it starts from the same state. So these bodies make no step. Their events are
-//! those of the last one.
+//! If a step changes neither a body nor any body that it touches, then the next step changes
+//! nothing either, because it starts from the same state. So these bodies are not moved. Their
+//! events are those of the last step.
 //!
-//! This holds as long as nobody else comes near. A body that is not idle goes no farther in a step
-//! than [`stop_idling_in_reach`](Scene::stop_idling_in_reach) allows for. All within that make their
-//! steps in full.
+//! This holds as long as no other body comes near. A body that is not idle moves no farther in a
+//! step than [`stop_idling_in_reach`](Scene::stop_idling_in_reach) assumes. All bodies within that
+//! distance make their steps in full.
 
 use super::body::{Mode, Slot};
 use super::body_way::size;
@@ -45,7 +45,7 @@ pub(super) fn is_idle(memory: &[Remembered], at: usize) -> bool {
     idle(memory, at).is_some()
 }
 
-/// Has the body in a slot make its next step in full. Returns whether it was idle.
+/// Makes the body in a slot move in full in the next step. Returns whether it was idle.
 pub(super) fn stop_idling(memory: &mut [Remembered], at: usize) -> bool {
     let Some(rest) = rest_mut(memory, at) else { return false };
     core::mem::replace(&mut rest.idle, Idle::No) != Idle::No
@@ -62,20 +62,21 @@ pub(super) fn are_idle<S>(memory: &[Remembered], slots: &[Slot<S>], pair: Pair) 
     (a && (b || fixed(pair.b))) || (b && fixed(pair.a))
 }
 
-/// How far from its box a body may come in this step: [`reach`], as it was when an idle body made
-/// its last step.
+/// How far from its box a body may move in this step: [`reach`], with the state in which an idle
+/// body made its last step.
 pub(super) fn reach_of<S: BodyShape>(memory: &[Remembered], slot: &Slot<S>, at: usize) -> u32 {
     idle(memory, at)
         .map_or_else(|| reach(slot), |rest| size(rest.made.causes.velocity).saturating_add(size(rest.made.causes.push)))
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Before a step: bodies that another one may reach are not idle.
+    /// Before a step: ends the idleness of bodies that another one may reach.
     ///
     /// A hit changes a velocity by at most twice the difference of the two, and a push is at most
-    /// an overlap. In a pile one body may push the next. So in a step none goes farther than the
-    /// sum of four times the velocity and of the overlap, over all that it may meet, directly or
-    /// not. These are a company: two join if they are no farther apart than both may come.
+    /// an overlap. In a pile one body may push the next. So in a step none moves farther than the
+    /// sum of four times the velocity and of the overlap, over all bodies that it may meet,
+    /// directly or not. These are a company: two join if they are no farther apart than both may
+    /// move.
     #[inline(never)]
     pub(super) fn stop_idling_in_reach(&mut self, gravity: Vec2) {
         let Self { near, slots, awake, count, memory, .. } = self;
@@ -84,7 +85,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let all = slots.iter().any(|slot| slot.mode == Mode::Asleep);
         let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
         let fixed = fixed.map(|slot| size(slot.body.velocity)).max().unwrap_or(0);
-        // What a step adds to a velocity.
+        // The velocity that a step adds.
         let more = size(gravity).saturating_add(fixed);
         let (mut idle, mut most) = (0_usize, 0);
         for handle in awake {
@@ -100,7 +101,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 most = most.max(slot.goes_alone(*handle, more));
             }
         }
-        // Each round disturbs one more, or joins two companies, or is the last.
+        // Each round disturbs one more body, or joins two companies, or is the last.
         let mut ends = idle == 0 || idle == awake.len();
         while !ends {
             ends = true;
@@ -147,7 +148,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
     }
 
-    /// After a step: bodies that it left as they were, with all that they touch, are idle.
+    /// After a step: bodies that it did not change, with all that they touch, become idle.
     #[inline(never)]
     pub(super) fn find_idle(&mut self, gravity: Vec2) {
         let Self { slots, awake, count, memory, .. } = self;
@@ -186,7 +187,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 /// No two bodies at rest overlap by that much: a first guess.
 const QUARTER: u32 = 1 << 14;
 
-/// Raw units as 1/16 of a unit, rounded up. What is far more than the domain is as far as all.
+/// Raw units as 1/16 of a unit, rounded up. Saturates far beyond the domain.
 fn sixteenths(raw: u32) -> u16 {
     u16::try_from((raw >> 12) + 1).unwrap_or(u16::MAX)
 }
@@ -196,8 +197,8 @@ fn raw(sixteenths: u16) -> u32 {
 }
 
 impl<S: BodyShape> Slot<S> {
-    /// Begins a company of one. Returns how far it may come. Until the step begins, `hits` of the
-    /// representative says that, and `under` of each how far a look has reached.
+    /// Begins a company of one. Returns how far it may move. Until the step begins, `hits` of the
+    /// representative has that distance, and `under` of each how far a look has reached.
     fn goes_alone(&mut self, handle: Handle, more: u32) -> u16 {
         let way = size(self.body.velocity).saturating_add(more).saturating_mul(4).saturating_add(QUARTER);
         (self.tally.link, self.tally.hits, self.tally.under) = (handle.slot() as u16, sixteenths(way), 0);
@@ -205,7 +206,7 @@ impl<S: BodyShape> Slot<S> {
     }
 }
 
-/// Joins the companies of two bodies. Returns how far they may come.
+/// Joins the companies of two bodies. Returns how far they may move.
 fn together<S>(slots: &mut [Slot<S>], one: Handle, other: Handle) -> u16 {
     let (a, b) = (root(slots, one.slot() as u16), root(slots, other.slot() as u16));
     let far = |slots: &[Slot<S>], at: u16| slots.get(usize::from(at)).map_or(0, |slot| slot.tally.hits);
@@ -219,7 +220,7 @@ fn together<S>(slots: &mut [Slot<S>], one: Handle, other: Handle) -> u16 {
     sum
 }
 
-/// How deep two boxes overlap at most, and with them the shapes in them.
+/// The most that two boxes overlap, and so the shapes in them.
 fn overlap(a: &Aabb, b: &Aabb) -> u32 {
     let Raw { x, y } = Raw::of(a.max().min(b.max())).sub(Raw::of(a.min().max(b.min())));
     x.min(y).max(0).unsigned_abs()

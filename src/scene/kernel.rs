@@ -1,4 +1,4 @@
-//! The shapes that bodies of a scene can have: a scene links the code of its own set alone.
+//! The shapes that bodies of a scene can have: a scene links only the code of its set.
 
 use crate::error::RangeError;
 use crate::motion::Body;
@@ -11,9 +11,9 @@ use core::fmt::Debug;
 /// [`WithCapsules`](super::WithCapsules), or [`AnyShape`](crate::shape::AnyShape).
 ///
 /// It is a parameter of [`Scene`](crate::Scene) and [`SceneBody`](super::SceneBody), as the set of
-/// tile shapes is one of [`TileMap`](crate::TileMap): a scene of boxes and circles links no
-/// capsules. With `AnyShape` there are turned boxes, polygons and slanted capsules. Each pair then
-/// costs that of two polygons, and bodies do not turn.
+/// tile shapes is one of [`TileMap`](crate::TileMap). So a scene of boxes and circles links no code
+/// for capsules. `AnyShape` adds oriented boxes, polygons and slanted capsules. Each pair then
+/// costs as much as two polygons. Bodies do not turn.
 ///
 /// ```
 /// use tilesat::broad::SortSweep;
@@ -50,10 +50,10 @@ pub trait BodyShapeKernel:
     /// The reference position, as of [`Body`].
     fn position(&self) -> Vec2;
 
-    /// The same shape elsewhere. The caller ensures that it is inside of the domain.
+    /// This shape moved by `by`. The caller ensures that it is inside of the domain.
     fn shifted(&self, by: Vec2) -> Self;
 
-    /// The same shape elsewhere.
+    /// This shape moved by `by`.
     ///
     /// # Errors
     /// [`RangeError`] if it would leave the domain.
@@ -62,16 +62,16 @@ pub trait BodyShapeKernel:
     /// Whether it rolls or tilts: it then touches others at any angle.
     fn is_round(&self) -> bool;
 
-    /// Refuses shapes that no mover takes. Of boxes and circles there are none.
+    /// Refuses shapes that no mover accepts. Movers accept all boxes and circles.
     ///
     /// # Errors
-    /// [`RangeError`] of a capsule that is slanted or has no radius.
+    /// [`RangeError`] for a capsule that is slanted or has no radius.
     fn check(&self) -> Result<(), RangeError>;
 
     /// When two moving shapes run into each other. `None` if a motion is too large.
     fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit>;
 
-    /// Calls `visit` with the shape that it is.
+    /// Calls `visit` with the inner shape.
     fn visit<V: Visit<Self>>(&self, visit: V) -> V::Out;
 }
 

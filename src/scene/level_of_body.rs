@@ -1,4 +1,4 @@
-//! The level that a body sees, and the call that receives its ways.
+//! The level of each body, and the closure that receives its paths.
 
 use super::SceneBody;
 use super::kernel::BodyShape;
@@ -12,12 +12,13 @@ use core::marker::PhantomData;
 /// A mover that slides.
 pub(super) type Sliding = Mover<ByFlags<Surface>>;
 
-/// The mover of all ways. One type: another one would link most of a mover once more.
+/// The mover of all motions. There is one type, because another one would link most of a mover
+/// again.
 pub(super) fn sliding(mover: Mover) -> Sliding {
     mover.with_surface(Surface::SLICK).with_responses(Responses::NONE)
 }
 
-/// The level of each body. One name for a call and for the level that it returns.
+/// How a step finds the level of a body: one level for all, or a closure that returns one.
 pub(super) trait View<S> {
     type Level: World;
     fn level(&self, body: &SceneBody<S>) -> &Self::Level;
@@ -35,7 +36,7 @@ pub(super) trait View<S> {
     fn report_way(&self, _: Handle, _: &S, _: Vec2) {}
 }
 
-/// One for all bodies.
+/// One level for all bodies.
 pub(super) struct Common<'l, W>(pub(super) &'l W);
 
 impl<W: World, S> View<S> for Common<'_, W> {
@@ -46,7 +47,7 @@ impl<W: World, S> View<S> for Common<'_, W> {
     }
 }
 
-/// A call that says which.
+/// A closure that returns the level of each body.
 pub(super) struct EachLevel<'l, W, F> {
     of: F,
     level: PhantomData<&'l W>,
@@ -69,10 +70,10 @@ impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for EachLevel<'l, W
     }
 }
 
-/// The same, and a call that receives each way.
+/// [`Each`], and a closure that receives each path.
 pub(super) struct EachLevelTraced<'l, W, F, T> {
     levels: EachLevel<'l, W, F>,
-    /// Taken while it runs.
+    /// `None` while the closure runs.
     receiver: Cell<Option<T>>,
 }
 

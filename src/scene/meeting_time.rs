@@ -1,4 +1,4 @@
-//! Where and when the ways of two bodies meet, and which bodies can be on one way.
+//! Where and when the paths of two bodies meet, and which bodies can be on a path.
 
 use super::body::{Mode, Slot};
 use super::body_way::{Pace, WayEnd, later, size};
@@ -22,8 +22,8 @@ pub(super) struct Encounter {
 }
 
 impl Encounter {
-    /// In the order of the pair, so it does not matter which body asks. The ways start at the time
-    /// from which both bodies are on them.
+    /// In the order of the pair, so the result is the same for both bodies. The ways start at the
+    /// time from which both bodies are on them.
     #[inline(never)]
     pub(super) fn of<S: BodyShape>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Option<Self> {
         let pair = pair(one, other);
@@ -40,7 +40,7 @@ impl Encounter {
         let hit = p.cast_moving(left_a, &q, left_b)?;
         if !hit.inside {
             // The cast's own displacements are shares of how far they approach, which may be zero.
-            // So one body moves by the time, and the other is as far from it as the cast says.
+            // So one body is placed by the time, and the other at the distance from the cast.
             let nearer = hit.displacement - hit.displacement_b;
             let (by_a, by_b) = if swept(a) {
                 (hit.toi.of(left_b) + nearer, hit.toi.of(left_b))
@@ -63,9 +63,8 @@ impl Encounter {
     }
 }
 
-/// The first end of a way among those that were compared. The level's end goes before a body's at
-/// the same time. Of bodies, the one with the smaller key goes first, then that in the smaller
-/// slot.
+/// The first end of a way among those that were compared. At the same time, the level goes before
+/// bodies, then the body with the smaller key, then the one in the smaller slot.
 pub(super) struct FirstEnd {
     pub(super) end: (Toi, WayEnd),
     /// The key and the slot of the body, if one ends it.
@@ -122,8 +121,8 @@ impl<S: BodyShape> Slot<S> {
     }
 }
 
-/// The other bodies that may be on a body's way and that count: slow ones where the broad phase has
-/// them, and those that are swept.
+/// The other bodies that may be on a body's path and that count: slow ones at their positions in
+/// the broad phase, and those that are swept.
 pub(super) fn each_near<B: BroadPhase, S: BodyShape>(
     near: &B,
     slots: &[Slot<S>],
@@ -171,12 +170,12 @@ pub(super) fn pair<S>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Pai
     Pair { a, b }
 }
 
-/// How far from its box a body may come in this step: no bounce makes it faster.
+/// How far from its box a body may move in this step: no bounce makes it faster.
 pub(super) fn reach<S: BodyShape>(slot: &Slot<S>) -> u32 {
     size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
 }
 
-/// A box grown on all sides, as far as the domain goes.
+/// A box grown on all sides, within the domain.
 pub(super) fn around(bounds: &Aabb, by: u32) -> Aabb {
     let by = by.min(DOMAIN as u32) as i32;
     let (lo, hi) = (bounds.lo(), bounds.hi());

@@ -1,9 +1,9 @@
 //! What a scene remembers, so that bodies need no look at the level.
 //!
-//! The first N places are for the N slots: how the body there lies. The places beyond are for short
-//! ways of any body. A body that others push to and fro on one spot makes the same few ways again
-//! and again, often for ever: a ball on a slope leans on a box, which pushes it away, so that it
-//! rolls back. A way is the same if the body is, with its position, and what moves it.
+//! The first N places are for the N slots: how the body there lies. The further places are for
+//! short motions of any body. A body that others push to and fro on one spot repeats the same few
+//! motions, often for ever: a ball on a slope leans on a box, which pushes it away, and it rolls
+//! back. Two motions are equal if the body, its position and the causes are equal.
 
 use super::body::Slot;
 use super::body_way::{Drift, size};
@@ -18,7 +18,7 @@ pub(super) enum Remembered {
     Way(RememberedWay),
 }
 
-/// A short way through the level.
+/// A short motion through the level.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RememberedWay {
     made: Made,
@@ -29,12 +29,13 @@ pub(super) struct RememberedWay {
     used: bool,
 }
 
-/// The last way of a body through the level.
+/// The last motion of a body through the level.
 ///
-/// If it led nowhere, then its next way with the same causes is the same, as long as neither the
+/// If it led nowhere, its next motion with the same causes does the same, as long as neither the
 /// body nor the level changes. A change of the body by a step goes through
-/// [`Trip::make`](super::through_level::Trip), one by the game through [`Scene::alter`](super::Scene::alter),
-/// and one of the level through [`Scene::wake_region`](super::Scene::wake_region); each clears this.
+/// [`Trip::make`](super::through_level::Trip), one by the game through
+/// [`Scene::alter`](super::Scene::alter), and one of the level through
+/// [`Scene::wake_region`](super::Scene::wake_region); each clears this.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rest {
     pub(super) made: Made,
@@ -44,21 +45,21 @@ pub(super) struct Rest {
     pub(super) stays: bool,
 }
 
-/// The causes of a way through the level, and its end, apart from how far it led.
+/// The causes of a motion through the level, and its end, without its displacement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Made {
     pub(super) causes: Causes,
-    /// What is left of the velocity.
+    /// The velocity that is left.
     pub(super) velocity: Vec2,
     /// A body at rest touches one surface, or two that it is wedged between. Two hits are half of
-    /// all that a way may have.
+    /// those that a motion may have.
     hits: [Option<Hit>; 2],
     pub(super) floor: bool,
-    /// The [sides](super::blocked_sides) to which the push led less than half its way.
+    /// The [sides](super::blocked_sides) to which less than half of the push was made.
     pub(super) blocked: u8,
 }
 
-/// The state that a body has before its way, apart from its shape and velocity.
+/// The state of a body before its motion, without its shape and velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Start {
     pub(super) support: u8,
@@ -90,12 +91,13 @@ pub(super) enum Idle {
     Never,
 }
 
-/// What moves a body in a step.
+/// The causes of a body's motion in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Causes {
     pub(super) push: Vec2,
     pub(super) velocity: Vec2,
-    /// It says at which speeds the body does not bounce, and which surfaces are floors.
+    /// Gravity, which decides at which speeds the body does not bounce, and which surfaces are
+    /// floors.
     pub(super) gravity: Vec2,
 }
 
@@ -106,7 +108,7 @@ impl Rest {
 }
 
 impl Made {
-    /// `None` if the way led to more hits than are kept.
+    /// `None` if the motion had more hits than are kept.
     pub(super) fn of<B>(causes: Causes, moved: &Moved<B>, blocked: u8) -> Option<Self> {
         Some(Self { causes, velocity: moved.velocity, hits: moved.hits.few()?, floor: moved.floor, blocked })
     }
@@ -135,7 +137,7 @@ pub(super) fn keep(places: &mut [Remembered], at: usize, rest: Option<Rest>) {
     }
 }
 
-/// How far a way led that was made before, and its end.
+/// The displacement and the end of a motion that was made before.
 pub(super) fn known(ways: &mut [Remembered], at: usize, from: Vec2, causes: &Causes) -> Option<(Vec2, Made)> {
     ways.iter_mut().find_map(|place| {
         let Remembered::Way(way) = place else { return None };
@@ -147,14 +149,14 @@ pub(super) fn known(ways: &mut [Remembered], at: usize, from: Vec2, causes: &Cau
     })
 }
 
-/// Keeps a way that was made, if it is as short as those of bodies that hardly move. Long ways are
-/// seldom repeated.
+/// Keeps a motion, if it is as short as those of bodies that hardly move. Long motions are seldom
+/// repeated.
 pub(super) fn note(ways: &mut [Remembered], at: usize, from: Vec2, by: Vec2, made: &Made) {
     if ways.is_empty() || size(by) > size(made.causes.gravity).saturating_mul(2) {
         return;
     }
     let free = |place: &Remembered| !matches!(place, Remembered::Way(way) if way.used);
-    // In the place of one that was not repeated lately.
+    // Replaces one that was not repeated lately.
     if !ways.iter().any(free) {
         for place in &mut *ways {
             if let Remembered::Way(way) = place {
@@ -167,7 +169,7 @@ pub(super) fn note(ways: &mut [Remembered], at: usize, from: Vec2, by: Vec2, mad
     }
 }
 
-/// A body has changed: forgets its ways.
+/// Forgets the motions of a body that has changed.
 pub(super) fn forget(ways: &mut [Remembered], at: usize) {
     for place in ways {
         if matches!(place, Remembered::Way(way) if usize::from(way.slot) == at) {

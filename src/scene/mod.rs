@@ -1,6 +1,6 @@
-//! A scene: a level, a broad phase and bodies in one call per frame.
+//! Scenes: bodies that move through a level and meet each other, in one call per frame.
 //!
-//! [`Scene`] consists of public parts, and you can use each without it. A
+//! [`Scene`] consists of public parts, and you can use each part alone. A
 //! [`BroadPhase`](crate::broad::BroadPhase) finds the bodies that are near each other.
 //! [`contact`](crate::query::Contacts) finds how two bodies overlap.
 //! [`separate`](crate::motion::response::separate) and
@@ -28,8 +28,8 @@
 //!
 //! let snapshot = scene;
 //! scene.push(crate_, Vec2::from_ints(0, -2))?; // a kick from below
-//! assert_eq!(scene.step(&level, gravity, |_| {})?.moved, 2); // it woke the crate, the crate the ball
-//! scene = snapshot; // and never happened
+//! assert_eq!(scene.step(&level, gravity, |_| {})?.moved, 2); // the kick woke the crate, and the crate woke the ball
+//! scene = snapshot; // undone
 //! assert!(scene.awake().is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -46,33 +46,34 @@
 //!
 //! 1. Gravity is added to the velocities of all bodies that are awake and do not
 //!    [float](SceneBody::floats).
-//! 2. Every touching pair that the game [accepts](Scene::step_with) is reported; sensors do no more
-//!    than that. If two overlap, each gets its share of the
-//!    [push](crate::motion::response::separate) that parts them. If they approach, each gets its
-//!    share of the [change of velocity](crate::motion::response::exchange). Of all pushes on a body
-//!    the farthest to each side count, so two floors push no higher than one. Of its n changes,
+//! 2. Every touching pair that the game [accepts](Scene::step_with) is reported; for sensors, that
+//!    is all. If two overlap, each receives its share of the
+//!    [push](crate::motion::response::separate) that parts them. If they approach, each receives
+//!    its share of the [change of velocity](crate::motion::response::exchange). Only the farthest
+//!    push to each side counts, so two floors push no higher than one. If a body has n changes,
 //!    each counts for 1/n.
-//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity. It
-//!    bounces off the level as its surface says. A body that meets the level at no more than the
+//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity. Its
+//!    surface decides how it bounces off the level. A body that meets the level at no more than the
 //!    gravity of two steps does not bounce: it would jitter there. Every new position passes the
 //!    level's exact overlap test.
-//! 4. Bodies that lie on others are moved after them, from the lowest up. In the same step they
-//!    come out of bodies that are carried themselves.
+//! 4. Bodies that lie on others are moved after them, from the lowest up. In the same step they are
+//!    pushed out of bodies that are carried.
 //! 5. Fast bodies are moved last, from one hit to the next.
-//! 6. Bodies that have hardly moved for some steps fall asleep, together with all that they touch.
+//! 6. Bodies that have hardly moved for some steps fall asleep, together with all bodies that they
+//!    touch.
 //!
-//! # What holds
+//! # Guarantees
 //!
 //! - **No body enters the solid.** A body that is in it already, or cannot be moved for another
 //!   reason, is [held](SceneEvent::Held): it stays and has no velocity.
 //! - **Bodies may overlap** after a step, if the level leaves no room or many push. The next step
-//!   finds how deep, and pushes again. Of a body that was pushed in vain, others then come out the
-//!   whole way. A heavy body comes into a light one at a wall by two of its steps, and by what
-//!   gravity adds in three.
+//!   finds how deep, and pushes again. If a push could not move a body, the other body then makes
+//!   the whole correction. A heavy body can sink into a light one at a wall by two of its steps,
+//!   plus what gravity adds in three.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
-//! - **Order does not matter**, neither that of insertion nor that of the broad phase, nor the
-//!   choice of broad phase. For this, keys must be unique (otherwise slots decide). Only events
-//!   come in no particular order.
+//! - **Order does not matter**, neither of insertion nor of the broad phase, nor the choice of
+//!   broad phase. For this, keys must be unique (otherwise slots decide). Events come in no
+//!   particular order.
 //! - **Images**: mirrored scenes give mirrored bits and moved scenes the same bits, as far as the
 //!   [mover](crate::Mover::move_and_slide) and [degenerate](crate::query::Contact::is_degenerate)
 //!   contacts (two coincident centres) do.
@@ -80,26 +81,26 @@
 //!   if two free bodies meet and no third. In a crowd each meeting may change both by less than a
 //!   raw unit of velocity. Energy gained from gravity and from pushes is not counted.
 //! - **Piles stand**: a body that lies on the level, or on bodies that do, is not pushed down by
-//!   those on top of it; there momentum goes into the ground. Support reaches a whole pile within a
-//!   step. Velocities count relative to the carrier: a pile on a lift that moves evenly is the pile
-//!   at rest, bit for bit. Boxes of a column keep their order and do not sink into each other.
-//!   Balls that lie askew overlap by a raw unit.
+//!   those on top of it; its momentum goes into the ground. Support reaches a whole pile within a
+//!   step. Velocities are relative to the carrier: a pile on a lift that moves evenly behaves as at
+//!   rest, bit for bit. Boxes of a column keep their order and do not sink into each other. Balls
+//!   that lie askew overlap by a raw unit.
 //! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
 //!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
 //!   also wakes if you name a region that [changed](Scene::wake_region), and if a solid that
-//!   [moves](Scene::ride) comes near it. A tile or a solid that you take away wakes nobody: name its
-//!   region. Sensors wake nobody. A woken body wakes the bodies that it touches in the next step,
-//!   with the whole pile of those that touch each other.
+//!   [moves](Scene::ride) comes near it. A tile or a solid that you remove wakes no body, so name
+//!   its region. Sensors wake no body. A woken body wakes the bodies that it touches in the next
+//!   step, with the whole pile of those that touch each other.
 //!
 //! # Fast bodies
 //!
 //! A body is fast if it moves by more than half of its smaller side in a step, by its velocity and
-//! by pushes, or if it is [flagged](SceneBody::fast). A test of its start alone would miss the
-//! bodies on its way. A fast body makes its step from event to event. It goes up to its first hit,
-//! the level or a body, found by the exact cast of two that [both
+//! by pushes, or if it is [flagged](SceneBody::fast). A test of only its start would miss the
+//! bodies on its path. A fast body moves from event to event. It moves up to its first hit, the
+//! level or a body, found by the exact cast of two that [both
 //! move](crate::query::CastShape::cast_moving). There it bounces or slides, and continues for the
-//! rest of the step. All such events of a scene come in the order of their times. At one time the
-//! level comes first, then the pair with the smaller keys.
+//! rest of the step. All such events of a scene are handled in the order of their times. At the
+//! same time the level comes first, then the pair with the smaller keys.
 //!
 //! ```text
 //!   t = 0        0.4          0.7           |#
@@ -111,20 +112,19 @@
 //!
 //! - Two bodies exchange velocities at most once per step. The event reports them once, with the
 //!   time and the speed ([`SceneEvent::Meet`]). If they hit each other again, the one that nothing
-//!   has stopped yields: a body slides along the wall that another one presses it against.
+//!   has stopped yields: a body slides along the wall against which another one presses it.
 //! - A slow or sleeping body that is hit uses its new velocity from the next step on.
-//! - Sensors on the way are reported too, each time that a body enters one.
-//! - After three bodies or eight events in a step, a body waits for the next step where it is. No
-//!   body passes it.
+//! - Sensors on the path are reported, too, each time that a body enters one.
+//! - After three bodies or eight events in a step, a body waits for the next step, and no body
+//!   passes it.
 //! - Two bodies that are *not* fast may still pass each other if they clip each other or are
 //!   squeezed. Flag large, slow bodies among small ones.
-//! - The game moves a fixed body between steps, so it is never on a way: it does not meet the
-//!   bodies that it jumps over.
+//! - The game moves a fixed body between steps, so it does not meet bodies that it jumps over.
 //!
-//! A fast body with nobody in reach is moved like all others; that costs one region query.
+//! A fast body with no body in reach is moved like all others; that costs one region query.
 //! Otherwise each event takes a few casts through the level and region queries, and tests the boxes
-//! of all fast bodies. In a crowd that presses itself, this grows faster than the square of the
-//! number: flag bullets, crushers and the hero, not a crowd.
+//! of all fast bodies. In a crowd that presses together, the cost grows faster than the square of
+//! the number of fast bodies: flag bullets, crushers and the hero, not a crowd.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -149,31 +149,28 @@
 //!
 //! # Cost
 //!
-//! On a Cortex-M0, 64 bodies, boxes and circles, among tiles of all shapes, with a
-//! [`SortSweep`](crate::broad::SortSweep): 221 000 instructions per step while they fly and land,
-//! at most 430 000, most of them the mover's. 804 000 if all lie in nooks of slopes and none may
-//! sleep; 57 if all sleep. A scene that [remembers](Scene::remembering) makes such steps for a
-//! fifteenth of that: 53 000. Stack: 3.9 KB for such a step. [`Scene`] has other kinds of scenes.
+//! The mover takes most of a step. [`Scene`] has instructions, flash and stack, and says what a
+//! scene that [remembers](Scene::remembering) saves.
 //!
 //! # Games in a scene
 //!
-//! **Capsules** are bodies of a `Scene<B, 64, 0, WithCapsules>`: see [`WithCapsules`]. Others link
-//! none of their code. **Turned boxes, polygons, slanted capsules** need
+//! **Capsules** are bodies of a `Scene<B, 64, 0, WithCapsules>`: see [`WithCapsules`]. Other scenes
+//! link none of their code. **Oriented boxes, polygons and slanted capsules** need
 //! [`AnyShape`](crate::shape::AnyShape) there.
 //!
 //! **Moving platforms** are [`Solid`](crate::Solid)s or
-//! [`ConvexSolid`](crate::world::ConvexSolid)s: [`ride`](crate::Scene::ride) moves them, with what
-//! they carry and push, and each step sees them in a [`Joined`](crate::Joined) level. Without `ride`
-//! a solid only blocks, and a body that it enters is [held](SceneEvent::Held).
+//! [`ConvexSolid`](crate::world::ConvexSolid)s: [`ride`](crate::Scene::ride) moves them, with the
+//! bodies that they carry and push, and each step takes them in a [`Joined`](crate::Joined) level.
+//! Without `ride` a solid only blocks, and a body that it enters is [held](SceneEvent::Held).
 //!
 //! They can also be `fixed` bodies that the game [places](crate::Scene::place). Those push by their
-//! velocity, and carry by friction. Set the platform's velocity, and place it *after* the step, in
-//! which the bodies on it move with it. That is all for up and down. Sideways *both* need friction:
-//! if two bodies meet, the surface that bounces more counts, or else the one with less friction. A
-//! conveyor is such a body that stays where it is.
+//! velocity, and carry by friction. Set the platform's velocity, and place it *after* the step in
+//! which the bodies on it move with it. That is enough for up and down. Sideways, *both* need
+//! friction: if two bodies meet, the surface that bounces more is used, or else the one with less
+//! friction. A conveyor is such a body that you do not move.
 //!
 //! If you place a platform without setting its velocity, it pushes as it rises, and slides away
-//! below its load as it goes sideways or down. A body that it crushes against the level overlaps
+//! below its load as it moves sideways or down. A body that it crushes against the level overlaps
 //! it, and is reported.
 //!
 //! ```
@@ -194,18 +191,19 @@
 //!     scene.place(lift, way)?;
 //! }
 //! let load = scene.body(load)?.shape.aabb();
-//! assert!((load.min().x - way.min().x - Fx::from_num(8)).abs() < 1); // where it stood
-//! assert_eq!(load.max().y, way.min().y); // and on it
+//! assert!((load.min().x - way.min().x - Fx::from_num(8)).abs() < 1); // the same position on the lift
+//! assert_eq!(load.max().y, way.min().y); // exactly on top of it
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **A hero** that a [`Walker`](crate::Walker) moves is in the scene as a body that
-//! [floats](SceneBody::floats), with a mass and no velocity. In each frame, walk it through the
-//! level, `place` it, `step`, and continue from where the scene pushed it, which the level allows.
-//! It meets triggers, and pushes crates that it walks into. A hit changes its velocity in the
-//! scene: add that to the walker's or not, and set it to zero. A `fixed` body would not do: nobody
-//! pushes it, and it does not meet other fixed bodies. The walker does not know that it stands on a
-//! crate, but [`is_supported`](crate::Scene::is_supported) does.
+//! **A hero**: to put a hero that a [`Walker`](crate::Walker) moves into a scene, insert a body
+//! that [floats](SceneBody::floats), with a mass and zero velocity. In each frame, walk the hero
+//! through the level, `place` its body, call `step`, and continue from the position to which the
+//! scene pushed it. The level never overlaps that position. The body meets triggers, and pushes
+//! crates into which it walks. A hit changes its velocity in the scene: add that to the walker's or
+//! not, and set it to zero. Do not use a `fixed` body: nothing pushes it, and it does not meet
+//! other fixed bodies. The walker does not know that it stands on a crate, but
+//! [`is_supported`](crate::Scene::is_supported) does.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -233,22 +231,21 @@
 //!         hero = pushed;
 //!     }
 //! }
-//! assert!(passed && scene.body(box_)?.shape.position().x > 41); // it pushes the box before it
+//! assert!(passed && scene.body(box_)?.shape.position().x > 41); // it pushes the box
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Ghosts, bullets, pick-ups**: what happens where two bodies meet is a [`Reply`], which
-//! [`step_with`](Scene::step_with) asks for: they ignore or cross each other, slide, touch or
-//! bounce. A [`Filter`](crate::Filter) does the same for whole groups, and costs less. What the level
-//! is to a body is the other half: [`SceneBody::responses`] for what stops it, and
-//! [`step_in`](Scene::step_in) for the tiles that it passes.
-//! [`step_along`](Scene::step_along) reports them.
+//! **Ghosts, bullets, pick-ups**: a [`Reply`] for each pair, from your closure in
+//! [`step_with`](Scene::step_with), decides whether two bodies ignore or cross each other, slide,
+//! touch or bounce. A [`Filter`](crate::Filter) costs less if whole groups ignore each other. For
+//! the level, use [`SceneBody::responses`] for surfaces that stop the body, and
+//! [`step_in`](Scene::step_in) for tiles that it passes. [`step_along`](Scene::step_along) reports
+//! those.
 //!
-//! **Tiles that only some bodies meet**: give the tiles flags, and write one table of the flags
-//! that each kind of body passes. It makes a table of tiles for each kind of body
-//! ([`TileKinds::passing`](crate::TileKinds::passing)), and these make a level for each. The levels
-//! share their tiles: a door that opens does so for all. The table of flags works alike for levels
-//! of every [set](crate::world::Set) of shapes.
+//! **Tiles that only some bodies meet**: give the tiles flags, and list the flags that each kind of
+//! body passes. [`TileKinds::passing`](crate::TileKinds::passing) makes a table of tiles for each
+//! kind of body, and each table makes a level. The levels share their tiles: a door that opens does
+//! so for all. This works for every [set](crate::world::Set) of shapes.
 //!
 //! ```
 //! use tilesat::broad::SortSweep;
@@ -257,7 +254,7 @@
 //! use tilesat::{AllShapes, Blocks, Circle, Scene, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
 //! const CURTAIN: u8 = 1;
 //! const FENCE: u8 = 2;
-//! // Knights, ghosts, arrows: the flags that each passes.
+//! // The flags that knights, ghosts and arrows pass.
 //! const PASSED: [u8; 3] = [0, CURTAIN | FENCE, FENCE];
 //! const fn of_bodies(kinds: &TileKinds) -> [TileKinds; 3] {
 //!     [kinds.passing(PASSED[0]), kinds.passing(PASSED[1]), kinds.passing(PASSED[2])]
@@ -273,7 +270,7 @@
 //! static SLOPES_OF: [TileKinds; 3] = of_bodies(&SLOPES);
 //! static ROUND_OF: [TileKinds; 3] = of_bodies(&ROUND);
 //!
-//! /// Where a knight, a ghost and an arrow end that start at x = 8.
+//! /// The final positions of a knight, a ghost and an arrow that start at x = 8.
 //! fn ends<S: Set>(rows: &str, kinds: &'static [TileKinds; 3]) -> Result<[i32; 3], Box<dyn std::error::Error>> {
 //!     let tiles = TileMap::from_ascii(rows, &TileKinds::EMPTY)?;
 //!     let level = |kind: usize| tiles.with_kinds::<S>(&kinds[kind]);
@@ -283,7 +280,7 @@
 //!         let ball = Circle::new(Vec2::from_ints(8, 8), fx!(4))?;
 //!         scene.insert(&SceneBody { velocity: Vec2::from_ints(100, 0), ..SceneBody::new(ball, key) })?;
 //!     }
-//!     // The key says of which kind a body is. These meet only the level.
+//!     // The key is the kind of the body. These bodies meet only the level.
 //!     scene.step_in(|body| &levels[body.key as usize], Vec2::ZERO, |_| false, |_| ())?;
 //!     let mut ends = [0; 3];
 //!     for (_, body) in scene.bodies() {
@@ -291,16 +288,16 @@
 //!     }
 //!     Ok(ends)
 //! }
-//! let ends_of_all = [28, 76, 44]; // before the fence, the wall and the curtain
+//! let ends_of_all = [28, 76, 44]; // in front of the fence, the wall and the curtain
 //! assert_eq!(ends::<Blocks>("..fc.#.\n.......", &BLOCKS_OF)?, ends_of_all);
 //! assert_eq!(ends::<Slopes>("..fc.#.\n../../.", &SLOPES_OF)?, ends_of_all);
 //! assert_eq!(ends::<AllShapes>("..fc.#.\n..o../.", &ROUND_OF)?, ends_of_all);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Landings**: a body at rest hits the floor in every step. To hear a landing once, feed what the
-//! body hits to a list of [events](crate::broad::PairEvents); the key is any pair that you choose.
-//! [`Hit::approach`](crate::motion::Hit::approach) says how hard a hit was.
+//! **Landings**: a body at rest hits the floor in every step. To report a landing once, feed the
+//! hits of the body to a list of [events](crate::broad::PairEvents); the key is any pair that you
+//! choose. [`Hit::approach`](crate::motion::Hit::approach) says how hard a hit was.
 //!
 //! ```
 //! use tilesat::broad::{Handle, PairEvent, PairEvents, SortSweep};
@@ -321,7 +318,7 @@
 //!             }
 //!         }
 //!     })?;
-//!     // A body that sleeps reports nothing, and has left nothing.
+//!     // A sleeping body reports nothing, and still touches its floor.
 //!     contacts.finish(|(body, _)| scene.is_awake(*body).is_ok_and(|awake| !awake))?;
 //!     landings += contacts.iter().filter(|event| matches!(event, PairEvent::Begin(_))).count();
 //! }
@@ -330,10 +327,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Sensors** wake nobody, whatever you do with them. A sensor with a mass meets sleeping bodies
-//! once you have placed it; give it `floats`. A fixed sensor and a sleeping body both rest. If you
-//! put the sensor on such a body, nothing is reported until the body wakes. Call
-//! [`wake`](crate::Scene::wake) for the bodies that [`near`](crate::Scene::near) finds there.
+//! **Sensors** never wake a body. A sensor with a mass meets sleeping bodies once you have placed
+//! it; give it `floats`. A fixed sensor and a sleeping body both rest. If you put the sensor on
+//! such a body, nothing is reported until the body wakes. Call [`wake`](crate::Scene::wake) for the
+//! bodies that [`near`](crate::Scene::near) finds there.
 //!
 //! **Keys** must be unique for results that do not depend on the order of insertion. If two are
 //! equal, nothing fails: the one in the smaller slot is `a`, and slots depend on that order.
@@ -342,9 +339,9 @@
 //! its last position in every step, without a velocity, until it falls asleep there. Remove it when
 //! the event reports it, or use a border that accepts all.
 //!
-//! **Rollback** takes a [`Snapshot`], or copies the scene. It also needs everything that the game's
-//! own rules read: [`PairEvents`](crate::broad::PairEvents),
-//! [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change, solids.
+//! **Rollback** takes a [`Snapshot`], or copies the scene. It also needs all data of your rules:
+//! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
+//! tiles that change, solids.
 
 mod blocked_sides;
 mod body;

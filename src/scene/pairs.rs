@@ -1,5 +1,5 @@
-//! How the contacts at a step's start affect two bodies: which pushes the other, which lies on the
-//! other, and which rest together.
+//! How the contacts at the start of a step affect two bodies: which pushes the other, which lies on
+//! the other, and which rest together.
 
 use super::blocked_sides::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
@@ -42,8 +42,8 @@ pub(super) fn collect_effects<S: BodyShape>(
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
     let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), gravity);
-    // Other bodies push back the two lying bodies that a push parts. Pushing by the whole overlap
-    // would go on for ever.
+    // Other bodies push the two lying bodies back that a push parts. Pushing by the whole overlap
+    // would never end.
     let gently =
         a.support != ALOFT && b.support != ALOFT && meeting.moves_a && meeting.moves_b && !meeting.lands(gravity);
     let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
@@ -58,8 +58,8 @@ pub(super) fn collect_effects<S: BodyShape>(
 }
 
 /// The pushes that part two bodies. One that is blocked tries its share again, and the other makes
-/// the whole way. Bodies that lie overlap by what gravity adds in two steps, and a little more:
-/// there it would make a heap jitter.
+/// the whole correction. Bodies that lie overlap by what gravity adds in two steps, and a little
+/// more: a push by that would make a heap jitter.
 fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), gravity: Vec2) -> (Vec2, Vec2) {
     let of = |masses: Masses| separate(contact, masses.share_of_a());
     let (by_a, by_b) = of(meeting.masses);
@@ -93,8 +93,9 @@ pub(super) fn collect_kicks<S: BodyShape, R: Replies>(
     let carried = upper(a, b, Some(&contact), gravity).is_some_and(|top| is_carried(a, b, top));
     let hit = |meeting: &Meeting| if carried { meeting.lands(gravity) } else { meeting.is_hit() };
     let met = |reply| Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity).filter(hit);
-    // Most pairs that touch do not approach, whatever the reply is. That is found first. Friction
-    // decides whether one counts as the ground of the other: `Bounce` has none, `Touch` has all.
+    // Most pairs that touch do not approach, whatever the reply is, so this is tested first.
+    // Friction decides whether one counts as the ground of the other: `Bounce` has none, `Touch`
+    // has full friction.
     let by_surfaces = met(Reply::Meet);
     let others = || R::ASKS && (met(Reply::Bounce).is_some() || met(Reply::Touch).is_some());
     if by_surfaces.is_none() && !others() {
@@ -153,7 +154,7 @@ fn is_carried<S>(a: &Slot<S>, b: &Slot<S>, top: Top) -> bool {
     lower.support != ALOFT
 }
 
-/// Two bodies touch: they rest together. A fixed one joins nobody.
+/// Two bodies that touch rest together. A fixed one joins no body.
 pub(super) fn join<S>(slots: &mut [Slot<S>], pair: Pair) {
     let fixed = |slot: &Slot<S>| slot.mode == Mode::Fixed;
     if both(slots, pair).is_none_or(|(a, b)| fixed(a) || fixed(b)) {

@@ -1,9 +1,8 @@
 //! Bodies that lie on others are carried from the ground up.
 //!
-//! Each such body makes its step after all that is below it. It comes out of bodies that are
-//! carried themselves, from their new positions. Its velocity meets that of the carrier of all.
-//! Support thus reaches the whole pile within a step, and a pile in a moving frame is the pile at
-//! rest.
+//! Each such body is moved after all bodies below it. It is pushed out of bodies that are carried,
+//! at their new positions. Its velocity meets that of the carrier of all. So support reaches the
+//! whole pile within a step, and a pile on a moving carrier behaves as at rest.
 
 use super::body::{ALOFT, FLIES, Mode, Slot};
 use super::body_way::{Drift, Pace, size};
@@ -78,7 +77,7 @@ fn from_the_lowest<S: BodyShape>(movers: &mut [Handle], from: usize, slots: &[Sl
     lying
 }
 
-/// Exchanges two of a list, without a branch that could panic.
+/// Exchanges two entries of a list, without a branch that could panic.
 fn swap(movers: &mut [Handle], a: usize, b: usize) {
     if let Ok([a, b]) = movers.get_disjoint_mut([a, b]) {
         core::mem::swap(a, b);
@@ -90,7 +89,7 @@ struct Pile<'a, B, V, S, const M: usize> {
     slots: &'a mut [Slot<S>],
     memory: &'a mut [Remembered; M],
     trip: &'a Trip<'a, V>,
-    /// How far a fixed body may be from where the broad phase has it.
+    /// How far a fixed body may be from its position in the broad phase.
     margin: u32,
     stepped: &'a mut Stepped,
 }
@@ -113,7 +112,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         self.come_out(handle, known, (start, quiet), replies, each)
     }
 
-    /// The part after its way through the level, on a separate stack frame.
+    /// The part after its motion through the level, on a separate stack frame.
     #[inline(never)]
     fn come_out(
         &mut self,
@@ -155,7 +154,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         any
     }
 
-    /// Brings a body that has made its way out of its carriers.
+    /// Pushes a body that has moved out of its carriers.
     #[inline(never)]
     fn leave_carriers(
         &mut self,
@@ -235,7 +234,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             }
         };
         // The step finds other bodies there when they are touched. Otherwise a ball that rolls
-        // between the two would not come to rest.
+        // between the two would never rest.
         let rolls = slot.body.shape.is_round() || slot.way.pace == Pace::Moved;
         let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
         if let Some(lower) = only {
@@ -250,12 +249,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
 }
 
 impl<S: BodyShape> Slot<S> {
-    /// For how long it has been quiet, and how far it has come since.
+    /// For how many steps it has been quiet, and how far it has moved since.
     const fn quiet_and_drift(&self) -> (u8, Drift) {
         (self.quiet, self.tally.drift)
     }
 
-    /// The same before its way in this step. Its rest ended if it has none now.
+    /// The values of [`rest`](Self::rest) before its motion in this step. Its rest ended if it has
+    /// none now.
     fn quiet_before(&self, by: Vec2) -> (u8, Drift) {
         let counted = u8::from(self.tally.under != FLIES);
         if self.quiet == 0 { (0, Drift::NONE) } else { (self.quiet - counted, self.tally.drift.minus(by)) }
@@ -284,8 +284,8 @@ impl<S: BodyShape> Slot<S> {
         shape.translated(by).unwrap_or(shape)
     }
 
-    /// Another body carries it, and so does that body's carrier. Of several it takes the one with
-    /// the fewest between, then the one on the ground with the smallest key.
+    /// Another body carries it, and so does that body's carrier. If there are several, it takes the
+    /// one with the fewest between, then the one on the ground with the smallest key.
     pub(super) fn lie_on(&mut self, slots: &[Self], lower: &Self, at: Handle) {
         let key = |ground: u16| slots.get(usize::from(ground)).map_or(0, |slot| slot.body.key);
         let ground = if lower.mode == Mode::Fixed { at.slot() as u16 } else { lower.ground };

@@ -1,26 +1,26 @@
-//! What two bodies of a scene do when they meet.
+//! How two bodies of a scene respond when they meet.
 
 use crate::broad::Pair;
 use crate::world::sealed::Sealed;
 
-/// What two bodies do when they meet. The words are bump.lua's.
+/// How two bodies respond when they meet. The names are those of bump.lua.
 ///
-/// A reply is for a pair, so it can depend on both: a bullet crosses friends, a ghost ignores
+/// A reply applies to a pair, so it can depend on both: a bullet crosses friends, a ghost ignores
 /// crates, a ball bounces off one kind of body and sticks to another. In piles, a body that lies on
-/// another one is carried, whatever it does when it lands.
+/// another one is carried, whatever the reply at its landing is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Reply {
     /// Nothing happens, and nothing is reported.
     Ignore,
-    /// They pass each other. Each step in which they touch is reported, and each time that they
-    /// meet on the way of a fast body, for all bodies on it: as for [sensors](crate::Filter::sensor).
+    /// They pass each other. Each step in which they touch is reported, and each meeting on the
+    /// path of a fast body, as for [sensors](crate::Filter::sensor).
     Cross,
     /// Their surfaces decide.
     #[default]
     Meet,
-    /// They do not bounce. Their friction acts.
+    /// They do not bounce, and their friction acts.
     Slide,
     /// They stop each other: both continue with the same velocity, by their masses.
     Touch,
@@ -35,7 +35,7 @@ impl Reply {
     }
 }
 
-/// What a game may say about a pair: a [`Reply`], or whether the pair [meets](Reply::Meet) at all.
+/// The answer of a game about a pair: a [`Reply`], or whether the pair [meets](Reply::Meet) at all.
 pub trait Answer: Copy + Sealed {
     /// Whether it may be [`Reply::Cross`]. A scene that never crosses pays nothing for it.
     #[doc(hidden)]
@@ -62,7 +62,7 @@ impl Answer for Reply {
     }
 }
 
-/// The game's answers, as a step asks for them.
+/// The game's answers about pairs.
 pub(super) trait Replies {
     /// Whether there is more than one answer.
     const ASKS: bool;
@@ -70,7 +70,7 @@ pub(super) trait Replies {
     fn to(&mut self, pair: Pair) -> Reply;
 }
 
-/// Nobody answers: every pair takes effect.
+/// No closure: every pair meets.
 pub(super) struct Unasked;
 
 impl Replies for Unasked {
@@ -81,7 +81,7 @@ impl Replies for Unasked {
     }
 }
 
-/// A call that answers.
+/// A closure that answers.
 pub(super) struct ByCall<F>(pub(super) F);
 
 impl<A: Answer, F: FnMut(Pair) -> A> Replies for ByCall<F> {

@@ -1,7 +1,7 @@
 //! Which bodies rest on each other without touching.
 //!
-//! A fast body ends its way where it meets another one, rounded back by less than a raw unit. There
-//! it rests. So does a body that moves after those below it, on a slanted or round one.
+//! A fast body stops where it meets another one, rounded back by less than a raw unit. There it
+//! rests. A body that moves after those below it, on a slanted or round one, rests likewise.
 
 use super::body::Slot;
 use super::kernel::BodyShape;
@@ -12,17 +12,17 @@ use super::velocities::toward;
 use crate::broad::{BroadPhase, Handle};
 use crate::num::{Fx, Vec2};
 
-/// How far below a body that sleeps its support is at most, as in
+/// The most that the support of a sleeping body is below it, as in
 /// [`Mover::supported`](crate::Mover::supported).
 pub(super) const NEAR: Fx = Fx::from_bits(8);
 
-/// The way down, along a weight that is not zero, to what holds a body.
+/// The displacement down, along a weight that is not zero, to the body or level that holds a body.
 pub(super) fn down(weight: Vec2) -> Vec2 {
     toward(weight).unit().scaled(NEAR)
 }
 
-/// Whether one of two bodies rests on the other one. If they do not touch, they sleep and wake
-/// together all the same.
+/// Whether one of two bodies rests on the other one. They sleep and wake together even if they do
+/// not touch.
 #[inline(never)]
 pub(super) fn leans<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> bool {
     rests(a, b, gravity) || rests(b, a, gravity)
@@ -34,14 +34,14 @@ fn rests<S: BodyShape>(upper: &Slot<S>, lower: &Slot<S>, gravity: Vec2) -> bool 
     weight != Vec2::ZERO && holds_up(&lower.body.shape, &upper.body.shape.shifted(down(weight)), weight)
 }
 
-/// Whether a shape holds one that was moved into it along its weight. What only overlaps it from
-/// the side does not: two such would hold each other in the air.
+/// Whether a shape holds one that was moved into it along its weight. A shape that overlaps it only
+/// from the side does not: two such would hold each other in the air.
 pub(super) fn holds_up<S: BodyShape>(lower: &S, upper: &S, weight: Vec2) -> bool {
     upper.contact(lower).is_some_and(|contact| contact.axis().dot_vec(weight) > 0)
 }
 
 /// Joins a body that may fall asleep to the awake ones that hold it. It may have met them only at
-/// the end of its way, or rest above them without touching them.
+/// the end of its motion, or rest above them without touching them.
 pub(super) fn join_leaning<S: BodyShape>(
     slots: &mut [Slot<S>],
     near: &impl BroadPhase,

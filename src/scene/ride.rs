@@ -21,12 +21,12 @@ use core::mem::take;
 /// How far from a solid a body may be that still stands on it, in raw units.
 const NEAR: u32 = 8;
 
-/// How far above another body a body may be that lies on it, in raw units. Steps round by 2. Where
-/// the lower one slid down a slope in the step before, gaps of 14 were seen.
+/// How far above another body a body may be that lies on it, in raw units. Steps round by 2. If the
+/// lower one slid down a slope in the step before, gaps of 14 occurred.
 const GAP: i32 = 32;
 
-/// What a ride does with a body. It is kept where the next step counts hits, with the way of its
-/// carrier (`kick`) and the push of a solid (`low`).
+/// The effect of a ride on a body. It is stored where the next step counts hits, with the motion of
+/// its carrier (`kick`) and the push of a solid (`low`).
 const STAYS: u16 = 0;
 const CARRIED: u16 = 1;
 /// Lies on a body that is carried.
@@ -37,14 +37,15 @@ const PUSHED: u16 = 3;
 const HELD: u16 = 4;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Moves solids: they carry the bodies that stand on them, with whole piles, and push those in
-    /// their way.
+    /// Moves solids, which carry the bodies that stand on them, with whole piles, and push those in
+    /// front of them.
     ///
-    /// All solids go by their motions or [turns](crate::world::ConvexSolid::with_turn) at once.
-    /// Call this once per frame, *before* the [step](Self::step), with all solids in one list: a
+    /// All solids make their motions or [turns](crate::world::ConvexSolid::with_turn) at once. Call
+    /// this once per frame, *before* the [step](Self::step), with all solids in one list: a
     /// `ConvexSolid<AnyShape<N>>` can be a box, too. Pass the plain level here, and step in the
-    /// level [joined](crate::Joined) with the solids. There bodies stand on the solids, bounce off them, and
-    /// bullets hit them. [`Solids::key_of`](crate::Solids::key_of) reads from a hit which one.
+    /// level [joined](crate::Joined) with the solids. There bodies stand on the solids, bounce off
+    /// them, and bullets hit them. [`Solids::key_of`](crate::Solids::key_of) returns the key of the
+    /// solid of a hit.
     ///
     /// ```text
     ///   1 ride: the solids move, and what        2 step: gravity, velocities, and bodies
@@ -56,31 +57,31 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// - The rules are those of [`Mover::ride`](crate::Mover::ride) and
     ///   [`Mover::ride_convex`](crate::Mover::ride_convex). "Up" is against `gravity`; without
-    ///   gravity, nothing is carried. `follow` is how far a body goes down with a floor that sinks
+    ///   gravity, nothing is carried. `follow` is how far a body moves down with a floor that sinks
     ///   in this frame. Pass at least the motion of your fastest lift, or bodies hop on it. A slope
-    ///   that goes sideways sinks, too.
-    /// - **Velocities** are those seen from the solid: a body that is carried keeps its own. If a
+    ///   that moves sideways sinks, too.
+    /// - **Velocities** are relative to the solid: a body that is carried keeps its velocity. If a
     ///   body shall leave a lift with the lift's speed, [push](Self::push) it by the motion.
-    /// - **Piles**: a body on a carried body goes by the same motion, as far as the level and the
-    ///   solids let it. A body on several goes with the one that rises most, then with the smaller
+    /// - **Piles**: a body on a carried body makes the same motion, as far as the level and the
+    ///   solids allow. A body on several moves with the one that rises most, then with the smaller
     ///   key. If a solid pushes it as well, the push comes first. Other bodies do not stop a ride;
     ///   if they overlap then, the step parts them. So a pile that is pressed against a ceiling
-    ///   overlaps, and no body of it is squashed. The last step counts for what lies on what: a
-    ///   body inserted since then lies on nothing.
+    ///   overlaps, and no body of it is squashed. The last step decides which bodies lie on others:
+    ///   a body inserted since then lies on nothing.
     /// - **Squashed** bodies are reported and stay. Each step [holds](super::SceneEvent::Held) them
     ///   until the solid has passed.
     /// - Solids that move wake the bodies near them, and those that they carry or push wake their
-    ///   whole piles. Bodies on a lift that stands may sleep. If you take a solid away or put it
-    ///   elsewhere, [wake](super::Scene::wake_region) the region where it was.
+    ///   whole piles. Bodies on a lift that stands may sleep. If you remove a solid or put it
+    ///   elsewhere, [wake](super::Scene::wake_region) its old region.
     ///
     /// `each` receives every body that is carried, pushed or squashed by a solid, and the faults of
     /// bodies that cannot be moved. They come in no particular order. If keys are unique, no result
     /// depends on the order of bodies or solids.
     ///
     /// If no solid moves, the call does nothing. Otherwise it costs a region query for each moving
-    /// solid, a few comparisons for each body and solid, and a ride for each body near one. If one
-    /// is carried or pushed, it costs a region query for each body that is awake, and if one is
-    /// carried, another for each body that lies on others.
+    /// solid, and a few comparisons for each body and solid. Each body near a solid takes a ride.
+    /// If a body is carried or pushed, each awake body takes a region query. If one is carried,
+    /// each body that lies on others takes another.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
@@ -163,7 +164,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             (slot.tally.hits, slot.tally.kick, slot.tally.low) = (does, way, push);
         }
         if acts {
-            // Else what lies on a body that was awake before would sleep on in the air.
+            // Otherwise a body on one that was awake before would stay asleep in the air.
             self.wake_on(0, gravity);
         }
         if carries {
@@ -191,14 +192,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         moves
     }
 
-    /// Wakes the piles of the bodies that are awake, from one of the list on.
+    /// Wakes the piles of the awake bodies, from an entry of the list on.
     fn wake_on(&mut self, from: usize, gravity: Vec2) {
         let awake = self.count;
         self.wake_along(from, gravity, &mut Unasked);
         self.mark_woken(awake);
     }
 
-    /// The bodies with this many others below them go with one that is carried, if they lie on one.
+    /// The bodies with this many others below them move with one that is carried, if they lie on
+    /// one.
     fn take_along(&mut self, support: u8, gravity: Vec2) {
         let (x, y) = gravity.raw();
         let down = Vec2::from_raw(x.signum() * GAP, y.signum() * GAP);
@@ -243,7 +245,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 continue;
             }
             let to = slot.body.shape.shifted(if does == CARRIED { way } else { push });
-            // From where the solids have pushed it, it is in none of them.
+            // At the position to which the solids have pushed it, it is in none of them.
             let along = if does == TAKEN { to.visit(MoveInLevel(mover, world, way - push)) } else { Ok(to) };
             let (to, fault) = along.map_or_else(|fault| (to, Some(fault)), |to| (to, None));
             let put = self.near.move_to(handle, &to.aabb()).map(|()| slot.body.shape = to);
@@ -254,7 +256,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-/// Where the solids take one body.
+/// How the solids move one body.
 struct Ask<'a, W, T>(&'a Mover, &'a W, &'a [T], Fx);
 
 impl<S, W: World, T: MovingSolid> Visit<S> for Ask<'_, W, T> {

@@ -1,4 +1,4 @@
-//! The bodies together: those in the scene, and those awake.
+//! The bodies of a scene, and the list of those awake.
 
 use super::body::{Mode, Slot};
 use super::kernel::BodyShape;
@@ -8,12 +8,11 @@ use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair};
 use crate::filter::Filter;
 use crate::num::{Fx, MOTION, check_motion};
 
-/// When bodies fall asleep: after this many steps of rest, for all bodies that touch, directly or
-/// not.
+/// When bodies fall asleep: after `steps` steps of rest, of all bodies that touch, directly or not.
 ///
-/// In a step of rest a body moves by less than `still` on either axis. A faster step is one of rest
-/// too, if the body has come no farther than `still` times `steps` since it rests: on the whole it
-/// was slow. (At least that is the gravity of two steps, at most a unit.) Without this, bodies in a
+/// In a step of rest a body moves by less than `still` on either axis. A faster step is also one of
+/// rest, if the body has moved no farther than `still` times `steps` since its rest began. (That
+/// limit is at least the gravity of two steps, and at most a unit.) Without this rule, bodies in a
 /// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
 /// into the level or into another body. A step in the air does not count, and does not end the
 /// rest. In its last step of rest something must hold it from below: a ball that rolls off a corner
@@ -24,9 +23,10 @@ use crate::num::{Fx, MOTION, check_motion};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
-    /// Units per step. A body that moves more slowly than that on purpose never arrives.
+    /// The speed of rest, in units per step. A body that moves more slowly than that on purpose
+    /// stops.
     pub still: Fx,
-    /// 0 means never.
+    /// The number of steps; 0 means never.
     pub steps: u8,
 }
 
@@ -36,7 +36,7 @@ impl Sleep {
 }
 
 impl Default for Sleep {
-    /// After 30 steps of rest, with `still` at 1/32 of a unit.
+    /// The default: after 30 steps of rest, with `still` at 1/32 of a unit.
     fn default() -> Self {
         Self::DEFAULT
     }
@@ -46,8 +46,8 @@ impl Sleep {
     pub(super) const DEFAULT: Self = Self { still: Fx::from_bits(1 << 11), steps: 30 };
 }
 
-/// [`Sleep`] as its difference from the default, so that a static scene without bodies takes no
-/// flash: all its bits are zero.
+/// [`Sleep`] as its difference from the default, so a static scene without bodies is all zeros and
+/// takes no flash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct SleepDifference {
     still: i32,
@@ -73,21 +73,32 @@ impl SleepDifference {
 /// `B` is any [`BroadPhase`] with [`SceneTag`](super::SceneTag)s and room for N bodies:
 /// `Scene<SortSweep<64, SceneTag>, 64>`. The [module](super) describes a step.
 ///
-/// Plain data: a copy is a snapshot, and assigning it rolls back. The data that your game keeps
-/// beside it is part of a snapshot too: its [`PairEvents`](crate::broad::PairEvents) and
+/// Plain data: a copy is a snapshot, and assigning it rolls back. A snapshot also needs the data
+/// that your game keeps beside it: its [`PairEvents`](crate::broad::PairEvents) and
 /// [`Exceptions`](crate::broad::Exceptions), the bytes of tiles that change. RAM: 164 bytes per
-/// body, plus the broad phase. A scene may also [remember](Self::remembering) how bodies lie.
-/// `M` says for how many; without it, none.
+/// body, plus the broad phase. A scene may also [remember](Self::remembering) how bodies lie; `M`
+/// is the number of places, 0 by default.
 ///
-/// Flash and the most stack that a step takes, with a `SortSweep`, at opt-level "s":
+/// Costs on a Cortex-M0 with a `SortSweep`. Flash and stack are at opt-level "s". Instructions are
+/// at 3, per step of 64 boxes and circles among tiles of all shapes.
 ///
-/// | scene | flash, KB | stack of a step, bytes | of a [ride](Self::ride) |
+/// <!-- costs:begin (benches/target/run.sh --readme writes this) -->
+/// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 74 | 5952 | |
-/// | the same, with [`Solid`](crate::Solid) lifts | 89 | 6208 | 3600 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 117 | 6200 | 4344 |
-/// | [`WithCapsules`](super::WithCapsules) | | 6088 | 3688 |
-/// | [`AnyShape`](crate::shape::AnyShape) | | 6868 | 4568 |
+/// | boxes and circles | 78 584 | 5 920 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 92 250 | 6 192 | 3 696 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 120 744 | 6 184 | 4 440 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 040 | 3 808 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 796 | 4 664 |
+///
+/// | 64 bodies | instructions per step |
+/// |---|--:|
+/// | fly and land, mean | 225 286 |
+/// | fly and land, at most | 433 712 |
+/// | lie in nooks of slopes, none may sleep | 826 755 |
+/// | the same, if the scene [remembers](Self::remembering) | 54 389 |
+/// | sleep | 58 |
+/// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
 pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
@@ -96,21 +107,21 @@ pub struct Scene<B, const N: usize, const M: usize = 0, S = Shape> {
     /// The bodies awake come first.
     pub(super) awake: [Handle; N],
     pub(crate) count: usize,
-    /// How the bodies in the first slots lie, and beyond N the ways of any.
+    /// How the bodies in the first slots lie, and beyond N the short motions of any.
     pub(super) memory: [Remembered; M],
     pub(crate) sleep: SleepDifference,
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, N, 0, S> {
-    /// A scene without bodies, on an empty broad phase. It may be a `static`, which takes no flash
-    /// with a [`SortSweep`](crate::broad::SortSweep) or a [`BruteForce`](crate::broad::BruteForce):
-    /// all its bits are zero.
+    /// A scene without bodies, on an empty broad phase. It may be a `static`. With a
+    /// [`SortSweep`](crate::broad::SortSweep) or a [`BruteForce`](crate::broad::BruteForce) that
+    /// takes no flash, because all its bits are zero.
     #[must_use]
     pub const fn new(near: B) -> Self {
         Self::with_sleep(near, Sleep::DEFAULT)
     }
 
-    /// The same scene with other conditions for sleep.
+    /// Sets when bodies fall asleep.
     ///
     /// ```
     /// use tilesat::broad::{Keyed, SortSweep};
@@ -130,18 +141,19 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
     /// A scene that remembers how bodies at rest lie, in the first M of its N slots.
     ///
-    /// A body that lies tries the same way through the level in each step, and gets nowhere. Such a
-    /// way is answered from memory, with the same bits and the same events. Bodies that a step left
-    /// as they were, with all that they touch, repeat that step until something else comes near.
+    /// A body that lies tries the same motion through the level in each step, and does not move.
+    /// Such a motion is answered from memory, with the same bits and the same events. Bodies that a
+    /// step did not change, with all that they touch, repeat that step until another body comes
+    /// near.
     ///
     /// Some bodies never rest: a ball on a slope leans on a box, which pushes it away, and it rolls
-    /// back. If M is larger than N, the scene remembers the last M - N short ways of such bodies
-    /// too. 16 are enough for two or three of them.
+    /// back. If M is larger than N, the scene also remembers the last M - N short motions of such
+    /// bodies. 16 are enough for two or three of them.
     ///
     /// In return, name each region of the level that [changes](Self::wake_region), even if no body
-    /// sleeps: a tile, a [`Solid`](crate::Solid) that moves, another level for a body. If your
-    /// replies about two bodies change, [wake](Self::wake) both. A snapshot has no memory; a
-    /// restored scene looks once.
+    /// sleeps. It may change by a tile, a [`Solid`](crate::Solid) that moves, or another level for
+    /// a body. If your replies about two bodies change, [wake](Self::wake) both. A snapshot has no
+    /// memory; a restored scene looks at the level once.
     ///
     /// RAM: 104 bytes for each of M.
     ///
@@ -151,7 +163,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
-    /// type Crates = Scene<SortSweep<8, SceneTag>, 8, 8>; // `8, 12` also keeps four ways
+    /// type Crates = Scene<SortSweep<8, SceneTag>, 8, 8>; // `8, 12` also keeps four motions
     /// let mut scene = Crates::remembering(SortSweep::new(), Sleep::NEVER);
     /// let body = Aabb::new(Vec2::from_ints(4, 8), Vec2::from_ints(12, 16))?;
     /// let crate_ = scene.insert(&SceneBody::new(body, 1))?;
@@ -205,13 +217,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         &self.near
     }
 
-    /// Adds a body, awake, and wakes the bodies that it touches. A sensor wakes nobody.
+    /// Adds a body, awake, and wakes the bodies that it touches. A sensor wakes no other body.
     ///
-    /// It does not know the level. A body that overlaps it stays there, and each step reports it as
-    /// [`Held`](super::SceneEvent::Held). Ask [`Shape::overlaps_level`] before, if that can be.
+    /// The call does not look at the level. A body that overlaps the level stays there, and each
+    /// step reports it as [`Held`](super::SceneEvent::Held). If that can happen, test
+    /// [`Shape::overlaps_level`] first.
     ///
     /// # Errors
-    /// [`Full`](BroadError::Full), the errors of the broad phase, and velocities that no step can
+    /// [`Full`](BroadError::Full), the errors of the broad phase, or a velocity that no step can
     /// make. Nothing is changed then.
     pub fn insert(&mut self, body: &SceneBody<S>) -> Result<Handle, SceneError> {
         body.shape.check().map_err(SceneError::call)?;
@@ -228,7 +241,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         Ok(handle)
     }
 
-    /// Removes a body, and wakes the bodies that it touched. A sensor wakes nobody.
+    /// Removes a body, and wakes the bodies that it touched. A sensor wakes no body.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -243,7 +256,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         Ok(body)
     }
 
-    /// Takes a body out of the broad phase. No enumeration of pairs is under way.
+    /// Removes a body from the broad phase. No enumeration of pairs is running.
     fn leave(&mut self, handle: Handle) -> Result<(), BroadError> {
         self.near.remove(handle)?;
         self.near.forget(handle.slot());
@@ -267,7 +280,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.slot(handle).map(|slot| &slot.body)
     }
 
-    /// Whether steps move it. Fixed bodies are never awake.
+    /// Whether a body is awake, so steps move it. Fixed bodies are never awake.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -275,7 +288,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.slot(handle).map(Slot::is_awake)
     }
 
-    /// Whether, in the last step, the level carried it, or bodies that the level carries. Always
+    /// Whether the level, or bodies that the level carries, carried a body in the last step. Always
     /// true for fixed bodies.
     ///
     /// # Errors
@@ -285,8 +298,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Whether two bodies touch, but the last step did not report it because both rested when it
-    /// began. Pass it to [`PairEvents::finish`](crate::broad::PairEvents::finish). False if one was
-    /// removed.
+    /// began. Call it in the closure of [`PairEvents::finish`](crate::broad::PairEvents::finish).
+    /// False if one was removed.
     #[must_use]
     pub fn rests(&self, pair: &Pair) -> bool {
         let rested = |slot: &&Slot<S>| slot.mode != Mode::Awake;

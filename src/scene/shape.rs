@@ -8,7 +8,7 @@ use crate::query::{CastShape, Contact, Contacts, Inside, MovingHit, Overlaps, To
 use crate::shape::{Aabb, AnyShape, Capsule, Circle};
 use crate::world::{World, probe};
 
-/// A box or a circle. Pair queries call the kernel of the two shapes.
+/// A box or a circle: the default shapes of a scene.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -29,12 +29,12 @@ pub enum Shape {
     Circle(Circle),
 }
 
-/// A box, a circle, or a capsule that stands or lies: the shapes of a scene with heroes whose feet
-/// are round, with barrels and pills.
+/// A box, a circle, or a capsule that stands or lies: the shapes of a scene with round-footed
+/// heroes, barrels and pills.
 ///
-/// Name it as the last parameter of the scene, and make its bodies by
+/// Use it as the last parameter of the scene, and make its bodies by
 /// [`SceneBody::of`](super::SceneBody::of). A scene refuses capsules that are slanted or have no
-/// radius, with [`Quantity::Capsule`](crate::Quantity::Capsule). Bodies do not turn: a capsule
+/// radius, with [`Quantity::Capsule`](crate::Quantity::Capsule). Bodies do not turn, so a capsule
 /// that stands does not fall over.
 ///
 /// ```
@@ -110,7 +110,7 @@ impl From<Shape> for WithCapsules {
     }
 }
 
-/// The check of one shape, where it is not that of its constructor.
+/// The check of one shape, beyond that of its constructor.
 trait CheckedShape {
     fn check(&self) -> Result<(), RangeError> {
         Ok(())
@@ -126,7 +126,7 @@ impl CheckedShape for Capsule {
     }
 }
 
-/// Whether a mover takes it.
+/// Whether a mover accepts it.
 fn takes<B: Body>(body: &B) -> Result<(), RangeError> {
     body.check_size()
 }
@@ -166,7 +166,7 @@ macro_rules! shapes {
                 }
             }
 
-            /// Whether it overlaps a level: strict and exact.
+            /// Whether this shape overlaps a level. Strict and exact.
             ///
             /// ```
             /// use tilesat::scene::Shape;

@@ -9,15 +9,16 @@ use super::{Scene, SceneBody, Shape, Sleep};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 
-/// The state of a [`Scene`] between two steps: all that later steps depend on, and nothing else.
+/// The state of a [`Scene`] between two steps: everything on which later steps depend, and nothing
+/// else.
 ///
-/// A copy of the scene is a snapshot too. This one leaves out what a step only needs while it runs,
-/// so a history of many frames fits into less memory. [`restore`](Scene::restore) puts it back: all
-/// later steps give the same bits and the same events in the same order.
+/// A copy of the scene is a snapshot, too. This type leaves out the data that a step needs only
+/// while it runs, so a history of many frames takes less memory. [`restore`](Scene::restore) puts
+/// it back: all later steps give the same bits and the same events in the same order.
 ///
-/// Two snapshots are equal where all later steps are, to the bit, and the bookkeeping of the broad
-/// phase is. Two scenes with the same bodies, inserted in another order, have different ones.
-/// One that was written and read with the feature `serde` is equal to itself.
+/// Two snapshots are equal if all later steps and the bookkeeping of the broad phase are equal, to
+/// the bit. If the same bodies are inserted in another order, the snapshots differ. A snapshot that
+/// was written and read with the feature `serde` equals the original.
 ///
 /// Size: 90 bytes for each of N slots, and the broad phase. With 64 bodies in a
 /// [`SortSweep`](crate::broad::SortSweep) that is 7840 bytes; the scene itself has 164 for each
@@ -94,7 +95,7 @@ impl<S: BodyShape> Kept<S> {
         Self { body, status: Status::of(mode, blocked), quiet, support, ground, drift: tally.drift }
     }
 
-    /// A step sets all the rest before it reads it; what sleeps or is fixed has made its way.
+    /// A step sets all other values before it reads them; sleeping and fixed bodies are not moved.
     const fn slot(&self, handle: Handle) -> Slot<S> {
         let Self { body, status, quiet, support, ground, drift } = *self;
         let (mode, blocked) = (status.mode(), status.blocked());
@@ -112,8 +113,9 @@ impl<S: BodyShape> Kept<S> {
 }
 
 impl<B, const N: usize, S: BodyShape> Snapshot<B, N, S> {
-    /// The state of a new scene on this empty broad phase: a value that
-    /// [`snapshot_into`](Scene::snapshot_into) fills. It may be a `static`, as [`Scene::new`].
+    /// The state of a new scene on this empty broad phase, which
+    /// [`snapshot_into`](Scene::snapshot_into) can overwrite. It may be a `static`, as
+    /// [`Scene::new`].
     #[must_use]
     pub const fn new(near: B) -> Self {
         Self { near, kept: [Kept::FREE; N], awake: [0; N], count: 0, sleep: SleepDifference::of(Sleep::DEFAULT) }
@@ -121,10 +123,10 @@ impl<B, const N: usize, S: BodyShape> Snapshot<B, N, S> {
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// The state as of now.
+    /// Returns the current state.
     ///
-    /// Cost: one pass over the slots, and a copy of the broad phase. The snapshot may be on the
-    /// stack once or twice on its way to the caller: where that is too much, use
+    /// Cost: one pass over the slots, and a copy of the broad phase. Returning the snapshot may
+    /// need its size on the stack once or twice. If that is too much, use
     /// [`snapshot_into`](Self::snapshot_into).
     #[must_use]
     #[inline]
@@ -134,7 +136,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize, 
         taken
     }
 
-    /// Writes the state as of now over another one, in place: the stack needed is a few words.
+    /// Writes the current state over another one, in place. It needs a few words of stack.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
@@ -159,7 +161,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize, 
         }
     }
 
-    /// Goes back to a state. Nothing of the present one is left.
+    /// Restores a state, and replaces the current one completely.
     ///
     /// Cost: as [`snapshot`](Self::snapshot).
     #[inline]

@@ -20,18 +20,18 @@ use crate::num::{MOTION, Vec2, check_motion};
 use crate::world::{Trail, World};
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Moves all awake bodies by one step. A step adds `gravity` to velocities; pass zero for games
-    /// seen from above.
+    /// Moves all awake bodies by one step. A step adds `gravity` (units per step squared) to
+    /// velocities; pass zero for top-down games.
     ///
     /// The [module](super) describes what happens, and in which order. `each` receives the events.
     ///
-    /// Cost: sleeping bodies cost nothing. For those awake, the enumeration of their pairs, twice
-    /// if bodies run into each other. For each body a
+    /// Cost: sleeping bodies cost nothing. Those awake cost the enumeration of their pairs, twice
+    /// if bodies run into each other. Each body takes a
     /// [`move_and_slide`](crate::Mover::move_and_slide), and another one if bodies push it.
     ///
     /// # Errors
-    /// [`SceneError`] if the gravity is no valid motion; nothing is changed then. A body that
-    /// cannot be moved is no error of the step: it is [held](SceneEvent::Held).
+    /// [`SceneError`] if the gravity is not a valid motion; nothing is changed then. A body that
+    /// cannot be moved is not an error of the step: it is [held](SceneEvent::Held).
     #[doc(alias("simulate", "update"))]
     pub fn step<W: World>(
         &mut self,
@@ -44,12 +44,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.run(&Common(level), gravity, &mut Unasked, &mut each)
     }
 
-    /// Like [`step`](Self::step), but `replies` says for each pair what it does: a
-    /// [`Reply`](super::Reply), or a `bool` for whether the pair takes effect. A refused pair neither
-    /// pushes nor wakes, and is not reported.
+    /// Like [`step`](Self::step), with a closure `replies` that decides about each pair. It returns
+    /// a [`Reply`](super::Reply), or a `bool` for whether the pair takes effect. A refused pair
+    /// neither pushes nor wakes, and is not reported.
     ///
     /// `replies` is called for each pair that touches, and again if the two run into each other. It
-    /// must return the same in the whole step. Use a [`Filter`](crate::Filter) where one is enough:
+    /// must return the same in the whole step. If a [`Filter`](crate::Filter) is enough, use that:
     /// it costs less.
     ///
     /// ```
@@ -156,18 +156,18 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.run(&EachLevel::by(level_of), gravity, &mut ByCall(replies), &mut each)
     }
 
-    /// Like [`step_in`](Self::step_in), and reports each way that a body makes: for all that it
-    /// passes, bump.lua's "cross".
+    /// Like [`step_in`](Self::step_in), and reports each path of a body. Use it for everything that
+    /// bodies pass, as bump.lua's "cross".
     ///
-    /// `passed` receives the body, its shape before the way, and the [`Trail`] of the way.
+    /// `passed` receives the body, its shape before the motion, and the [`Trail`] of its path.
     /// [`TileMap::tiles_on`](crate::TileMap::tiles_on) and [`Solids::on`](crate::Solids::on) list
-    /// what lies on it, exactly, whether the body slides, bounces or is fast. A step of a body is
-    /// one way or several; each begins where the last one ended. A body that stays makes none. A
-    /// tile on two ways is reported on both.
+    /// the tiles and solids on it, exactly, whether the body slides, bounces or is fast. A body
+    /// makes one or several paths in a step; each begins where the last one ended. A body that
+    /// stays makes none. A tile on two paths is reported on both.
     ///
-    /// If the broad phase refuses the end of a way, the body is [held](SceneEvent::Held) where it
-    /// was, and the way was reported. A scene that [remembers](Self::remembering) looks in these
-    /// steps like any other.
+    /// If the broad phase refuses the end of a path, the body is [held](SceneEvent::Held) at its
+    /// old position, and the path was already reported. A scene that [remembers](Self::remembering)
+    /// looks in these steps like any other.
     ///
     /// Cost: that of `step_in`. A program that calls both links the step twice.
     ///
@@ -204,7 +204,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         mut each: impl FnMut(SceneEvent<'_>),
         passed: impl FnMut(Handle, &S, &Trail),
     ) -> Result<Stepped, SceneError> {
-        // What repeats is not reported.
+        // Repeated motions are not reported.
         self.memory.fill(Remembered::Empty);
         self.run(&EachLevelTraced::by(level_of, passed), gravity, &mut ByCall(replies), &mut each)
     }
@@ -227,7 +227,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
         let first = begin(&mut self.slots, &self.memory, self.awake.get(..awake).unwrap_or_default(), gravity);
         self.meet(gravity, &mut stepped, replies, each);
-        // The woken ones have woken what they touch. Here they wake what rests on them besides.
+        // The woken bodies have woken those that they touch. Here they also wake those that rest on
+        // them.
         if self.count > first {
             self.wake_along(first, gravity, replies);
             stepped.woken = (self.count - awake) as u16;
@@ -240,7 +241,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         Ok(stepped)
     }
 
-    /// Bodies against bodies, from the positions at the step's start.
+    /// Bodies against bodies, at the positions of the step's start.
     fn meet(
         &mut self,
         gravity: Vec2,
@@ -359,7 +360,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         calm && steps != 0
     }
 
-    /// Bodies that touch, directly or not, sleep together or not at all. None sleeps where nothing
+    /// Bodies that touch, directly or not, sleep together or not at all. None sleeps if nothing
     /// holds it: one that rolls off a corner ends each step in the air.
     fn fall_asleep<V: View<S>>(&mut self, trip: &Trip<'_, V>, stepped: &mut Stepped, replies: &mut impl Replies) {
         let Sleep { steps, .. } = self.sleep();
@@ -411,8 +412,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-/// Begins a step of all bodies that make one. Returns from where on the list has bodies that were
-/// woken since the last step began.
+/// Begins a step of all bodies that make one. Returns the entry of the list from which on bodies
+/// were woken since the last step began.
 fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Remembered], awake: &[Handle], gravity: Vec2) -> usize {
     let mut first = awake.len();
     for (at, handle) in awake.iter().enumerate().filter(|(_, handle)| !is_idle(memory, handle.slot())) {

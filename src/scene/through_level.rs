@@ -1,4 +1,4 @@
-//! The way of one body through the level.
+//! The motion of one body through the level.
 
 use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
@@ -16,13 +16,13 @@ use crate::motion::{Body, Hit, Moved, Mover, Response, Surface};
 use crate::num::{Ratio, Vec2};
 use crate::world::World;
 
-/// The data that all ways through the level share.
+/// The data that all motions through the level share.
 pub(super) struct Trip<'a, V> {
     view: &'a V,
     mover: Sliding,
     pub(super) gravity: Vec2,
     sleep: Sleep,
-    /// Where the ways begin in the memory.
+    /// The first place in the memory for short motions.
     ways: usize,
 }
 
@@ -33,7 +33,7 @@ impl<'a, V> Trip<'a, V> {
     }
 }
 
-/// What of a trip is done with a body of one shape.
+/// The part of a trip that depends on the type of the shape.
 struct Travel<'t, 'a, V, S, N> {
     trip: &'t Trip<'a, V>,
     slot: &'t mut Slot<S>,
@@ -81,7 +81,7 @@ impl<S, V: View<S>> Visit<S> for Slide<'_, '_, V, S> {
 }
 
 impl<V> Trip<'_, V> {
-    /// The mover of a body's own way.
+    /// The mover of a body's own motion.
     fn bouncing<S: BodyShape>(&self, body: &SceneBody<S>) -> Sliding {
         let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(body));
         mover.with_responses(body.responses)
@@ -126,13 +126,13 @@ impl<V> Trip<'_, V> {
         }
     }
 
-    /// What moves a body in this step.
+    /// The causes of a body's motion in this step.
     fn causes<S: BodyShape>(&self, slot: &Slot<S>) -> Causes {
         let velocity = slot.body.velocity + slot.tally.kick;
         Causes { push: slot.tally.push(), velocity, gravity: self.gravity }
     }
 
-    /// The way that [`travel`](Self::travel) would make.
+    /// The remembered motion that [`travel`](Self::travel) would make.
     #[inline(never)]
     fn repeat<S: BodyShape>(
         &self,
@@ -153,14 +153,15 @@ impl<V> Trip<'_, V> {
         Ok(())
     }
 
-    /// Whether the level holds a slow body where it is.
+    /// Whether the level holds a slow body at its position.
     #[inline(never)]
     pub(super) fn stays<S: BodyShape>(&self, slot: &Slot<S>) -> bool
     where
         V: View<S>,
     {
         let (shape, Causes { push, velocity, .. }) = (&slot.body.shape, self.causes(slot));
-        // The look costs as much as the step. What gravity has moved for two steps has come on.
+        // The look costs as much as the step. So only a body that nothing pushes, and that is no
+        // faster than two steps of gravity, is looked at.
         if push != Vec2::ZERO || size(velocity) > size(self.gravity).saturating_mul(2) {
             return false;
         }
@@ -246,7 +247,7 @@ impl<V> Trip<'_, V> {
             return true;
         }
         let down = down(weight);
-        // So is a body in the solid.
+        // A body in the solid is held, too.
         if self.touch(&slot.body, down).map_or(true, |touched| touched.hit.is_some()) {
             return true;
         }
@@ -284,15 +285,15 @@ impl<V> Trip<'_, V> {
 
     /// Updates a body that has come this far.
     pub(super) fn arrive<S: BodyShape>(&self, slot: &mut Slot<S>, by: Vec2, support: u8, free: bool) {
-        // In a heap, weight makes bodies push each other all the time. Without weight, a push ends,
-        // or there is no room and nothing moves.
+        // In a heap, weight makes bodies push each other in every step. Without weight, a push
+        // ends, or there is no room and nothing moves.
         let weight = slot.body.weight(self.gravity);
         let moves = (by, slot.body.velocity) != (Vec2::ZERO, Vec2::ZERO);
         let pressed = moves && weight == Vec2::ZERO && size(slot.tally.push()) > self.still();
         let is_still = self.is_still(slot, by) && !pressed;
-        // A slow body that nothing holds is at the start or the top of a flight. Asleep there it
-        // would hang in the air, where nothing wakes it. In a heap it also hops, for a step now and
-        // then: such a step is not one of rest, but it does not end a rest. A bounce does.
+        // A slow body that nothing holds is at the start or the top of a flight. If it fell asleep
+        // there, it would stay in the air, where nothing wakes it. In a heap it also hops now and
+        // then for a step. Such a step is not one of rest, but does not end a rest. A bounce does.
         let Tally { low, high, under, .. } = slot.tally;
         // Gravity comes before a body wakes, so one that has not moved since runs into nothing.
         let lies_on = slot.mode == Mode::Woken && by == Vec2::ZERO && slot.support != ALOFT;
@@ -321,7 +322,7 @@ impl<V> Trip<'_, V> {
 
     /// Whether it has hardly moved: in this step, or on the whole since it has been quiet. In a
     /// heap, bodies that push each other to and fro would otherwise do so for ever. A body that is
-    /// slow enough to fall asleep may come as far in all the steps that it takes.
+    /// slow enough to fall asleep may move as far in all its steps of rest.
     fn is_still<S>(&self, slot: &mut Slot<S>, by: Vec2) -> bool {
         let (x, y) = by.raw();
         let (still, Sleep { steps, .. }) = (self.still(), self.sleep);
@@ -333,7 +334,7 @@ impl<V> Trip<'_, V> {
     }
 }
 
-/// Moves a body along its way, to where the level lets it be.
+/// Moves a body along its way, as far as the level allows.
 fn go<S: BodyShape>(
     slot: &mut Slot<S>,
     handle: Handle,

@@ -24,7 +24,7 @@ pub(super) struct Meeting {
     pub(super) moves_b: bool,
 }
 
-/// Which of two bodies is on top of the other, seen along gravity.
+/// Which of two bodies is on top of the other, along gravity.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Top {
     A,
@@ -63,8 +63,8 @@ impl Meeting {
         Some(Self { axis, masses, surface, sticks, a: one.velocity, b: other.velocity, moves_a, moves_b })
     }
 
-    /// A is below B and carried, so a hit on it is a hit on the ground. Seen from there, B has no
-    /// more energy afterwards.
+    /// A is below B and carried, so a hit on it is a hit on the ground. Relative to the ground, B
+    /// has no more energy afterwards.
     pub(super) fn onto<S: BodyShape>(
         slots: &[Slot<S>],
         a: &Slot<S>,
@@ -135,7 +135,7 @@ impl Meeting {
     /// change. Its final velocity is then a mean of its old one and of those from its hits. No mean
     /// of velocities has more energy than the mean of their energies.
     pub(super) fn kicks(&self, hits: u16) -> (Vec2, Vec2) {
-        // Seen along the whole relative velocity, all of it is lost.
+        // Along the whole relative velocity, all of it is lost.
         let axis = if self.sticks { toward(self.a - self.b) } else { self.axis };
         let Ok((a, b)) = exchange(self.a, self.b, axis, self.masses, &self.surface) else {
             return (Vec2::ZERO, Vec2::ZERO);
@@ -144,14 +144,13 @@ impl Meeting {
     }
 }
 
-/// Whether a body does not give way to one on top of it. It lies on the level, or on bodies that
-/// do, and the push that it gets goes into the ground. If it gave way, a pile would sink into
-/// itself.
+/// Whether a body does not yield to one on top of it. It lies on the level, or on bodies that do,
+/// and the push goes into the ground. If it yielded, a pile would sink into itself.
 ///
-/// False if the two rise from the ground, seen by their momentum. A light body that bounces under a
-/// heavy one does not: if it gave way each time, the two would never rest. With friction, also
-/// false if it moves sideways on the carrier by more than gravity gives in a step: then it takes
-/// the one on top along.
+/// False if the momentum of the two rises from the ground. A light body that bounces under a heavy
+/// one does not: if it yielded each time, the two would never rest. With friction, also false if it
+/// moves sideways on the carrier by more than gravity adds in a step, because it then drags the one
+/// on top along.
 fn carries<S: BodyShape>(slots: &[Slot<S>], (lower, upper): (&Slot<S>, &Slot<S>), gravity: Vec2, slick: bool) -> bool {
     if lower.support == ALOFT {
         return false;
@@ -171,7 +170,7 @@ pub(super) fn carried(below: u8) -> u8 {
     if below == ALOFT { ALOFT } else { below + 1 }
 }
 
-/// The surface that counts of two, whichever is A.
+/// The surface that is used for two bodies, in either order.
 fn acting(a: &Surface, b: &Surface, reply: Reply) -> Surface {
     let rank = |s: &Surface| (s.restitution().raw(), !s.friction().raw());
     let own = if rank(a) < rank(b) { *b } else { *a };

@@ -7,10 +7,10 @@ use crate::num::Vec2;
 /// A shape of any kind, for lists that mix them. Polygons have at most `N` corners.
 ///
 /// It has all verbs against all shapes, and movers take it as a [`Body`](crate::Body). A slanted
-/// capsule moves in this form only. All answers are those of the shape inside, except the axis if
-/// several exits are equally short: that is the axis of polygons.
+/// capsule moves only in this form. All answers are those of the shape inside, with one exception:
+/// if several exits are equally short, the axis is chosen as for polygons.
 ///
-/// Every pair with it runs the code of
+/// Every pair with this type runs the code of
 /// [polygons](crate::query#capsules-oriented-boxes-and-polygons), which costs more than that of two
 /// boxes or circles.
 ///
@@ -32,7 +32,7 @@ use crate::num::Vec2;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum AnyShape<const N: usize> {
-    /// A box along the axes.
+    /// An axis-aligned box.
     Aabb(Aabb),
     /// A circle.
     Circle(Circle),
@@ -40,7 +40,7 @@ pub enum AnyShape<const N: usize> {
     Segment(Segment),
     /// A capsule, in any direction.
     Capsule(Capsule),
-    /// A turned box.
+    /// An oriented box.
     OrientedBox(OrientedBox),
     /// A convex polygon.
     Polygon(ConvexPolygon<N>),
@@ -64,7 +64,7 @@ impl<const N: usize> AnyShape<N> {
     /// This shape moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
     pub const fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         macro_rules! moved {
             ($kind:ident, $it:expr) => {

@@ -1,20 +1,20 @@
-//! A few shapes that are one.
+//! Several shapes that act as one.
 
 use super::{Aabb, AnyShape, Capsule, Circle, ConvexParts, ConvexPolygon, OrientedBox, Segment};
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2};
 use core::fmt;
 
-/// Why shapes have not become one.
+/// Why shapes could not be combined into one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum CompoundError {
     /// There is no part.
     Empty,
-    /// There are more parts than there is room for.
+    /// There are more parts than the compound can hold.
     TooMany {
-        /// How many there is room for.
+        /// How many it can hold.
         capacity: usize,
     },
 }
@@ -31,7 +31,7 @@ impl fmt::Display for CompoundError {
 impl core::error::Error for CompoundError {}
 
 pub(crate) mod kernel {
-    //! What a compound asks of shapes.
+    //! The requirements of a compound to its parts.
 
     use super::{Aabb, RangeError, Vec2};
 
@@ -43,12 +43,12 @@ pub(crate) mod kernel {
     /// A shape that may be a part.
     pub trait Movable: Extent + Copy {
         /// # Errors
-        /// Where it would leave the domain.
+        /// [`RangeError`] if it would leave the domain.
         fn moved(&self, by: Vec2) -> Result<Self, RangeError>;
     }
 }
 
-/// A shape that may be a part of a [`Compound`]: any but a compound. Sealed.
+/// A shape that may be a part of a [`Compound`]: any shape but a compound. Sealed.
 pub trait Single: kernel::Movable {}
 
 macro_rules! single {
@@ -74,22 +74,24 @@ macro_rules! single {
 single!([] Aabb, [] Circle, [] Segment, [] Capsule, [] OrientedBox);
 single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 
-/// Up to `M` shapes of one type that move as one: a concave shape by its convex parts, a body with
-/// a shield. [`AnyShape`] mixes types.
+/// Up to `M` shapes of one type that move as one: a concave shape as its convex parts, or a body
+/// with a shield. [`AnyShape`] mixes types.
 ///
-/// Each part is where it is put: move it by its offset before. Every verb looks at the bounding box
-/// of all parts first, and at the parts only if that is met. The answers are those of the parts:
+/// Parts have absolute positions: apply the offset of each part before you build the compound.
+/// Every verb looks at the bounding box of all parts first, and at the parts only if that box is
+/// met. The answers are those of the parts:
 ///
 /// | verb | answer |
 /// |---|---|
 /// | `overlaps`, `touches` | whether any part does |
-/// | `contact`, `manifold` | of the part that is deepest, by the depth rounded up |
-/// | `distance`, `closest_points` | of the part that is nearest, by the distance rounded down |
-/// | `contains` | a point: whether any part does; a compound in a shape: whether all parts are |
-/// | `cast_shape`, `cast_ray` | the earliest hit of a part; inside where any part is |
+/// | `contact`, `manifold` | that of the deepest part, by the depth rounded up |
+/// | `distance`, `closest_points` | that of the nearest part, by the distance rounded down |
+/// | `contains` | of a point: whether any part contains it; of a compound in a shape: whether all parts are in it |
+/// | `cast_shape`, `cast_ray` | the earliest hit of a part; inside if any part is |
 ///
-/// So what lies along the border between two parts, in none of them, does not overlap. Whether a
-/// shape is in a compound is not asked: it may be in several parts together.
+/// So a shape that lies exactly along the border between two parts overlaps neither. `contains`
+/// cannot ask whether a compound contains a shape, because the shape may lie in several parts
+/// together.
 ///
 /// A compound is a [`Body`](crate::Body): movers slide it along levels, by its parts. Levels answer
 /// the same questions about it as about its parts, and list the
@@ -103,7 +105,7 @@ single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 /// let flat = Aabb::new(Vec2::from_ints(10, 20), Vec2::from_ints(30, 30))?;
 /// let l = Compound::<Aabb, 2>::new(&[tall, flat])?;
 /// let ball = Circle::new(Vec2::from_ints(20, 10), fx!(9))?;
-/// assert!(l.aabb().overlaps(&ball) && !l.overlaps(&ball)); // in the corner of the L
+/// assert!(l.aabb().overlaps(&ball) && !l.overlaps(&ball)); // in the notch of the L
 /// assert_eq!(l.distance(&ball), fx!(1));
 /// assert_eq!(l.translated(Vec2::from_ints(2, -2))?.contact(&ball).unwrap().depth(), fx!(1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -111,17 +113,17 @@ single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Compound<S, const M: usize> {
-    /// Those beyond `count` are the first one.
+    /// Entries beyond `count` repeat the first part.
     parts: [S; M],
     count: usize,
     bounds: Aabb,
 }
 
 impl<S: Single, const M: usize> Compound<S, M> {
-    /// The shape of some parts, in any order.
+    /// A compound from its parts, in any order.
     ///
     /// # Errors
-    /// [`CompoundError`]: no part, or more than `M`.
+    /// [`CompoundError`] if there is no part, or more than `M`.
     pub fn new(parts: &[S]) -> Result<Self, CompoundError> {
         let Some(first) = parts.first() else { return Err(CompoundError::Empty) };
         if parts.len() > M {
@@ -132,7 +134,7 @@ impl<S: Single, const M: usize> Compound<S, M> {
         Ok(Self { parts: core::array::from_fn(parts_of), count: parts.len(), bounds })
     }
 
-    /// The parts, where they are.
+    /// The parts, at their positions.
     #[must_use]
     pub fn parts(&self) -> &[S] {
         self.parts.get(..self.count).unwrap_or(&self.parts)
@@ -147,7 +149,7 @@ impl<S: Single, const M: usize> Compound<S, M> {
     /// This shape moved by `by`.
     ///
     /// # Errors
-    /// [`RangeError`] where it would leave the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
     pub fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
         let mut moved = Self { bounds: self.bounds.translated(by)?, ..*self };
         for part in &mut moved.parts {
@@ -156,7 +158,7 @@ impl<S: Single, const M: usize> Compound<S, M> {
         Ok(moved)
     }
 
-    /// The same by a displacement that keeps it inside the domain.
+    /// This shape moved by a displacement that keeps it inside the domain.
     pub(crate) fn shifted(&self, by: Raw) -> Self {
         self.translated(by.vec2()).unwrap_or(*self)
     }

@@ -19,37 +19,37 @@ pub trait Convex: Sized {
 
     fn outline(&self) -> Self::Corners<'_>;
 
-    /// The radius, raw and not negative; none around what is sharp.
+    /// The radius, raw and not negative; 0 for sharp shapes.
     #[inline]
     fn rounding(&self) -> i32 {
         0
     }
 
-    /// Two sides and twice the middle of a sharp box with area; none of other shapes.
+    /// Two sides and twice the middle of a sharp box with area; none for other shapes.
     #[inline]
     fn box_sides(&self) -> Option<[Raw; 3]> {
         None
     }
 
-    /// Two half sides and the middle of a box in any direction; none of other shapes.
+    /// Two half sides and the middle of a box in any direction; none for other shapes.
     #[inline]
     fn half_sides(&self) -> Option<[Raw; 3]> {
         None
     }
 
-    /// The middle of a circle; none of other shapes.
+    /// The middle of a circle; none for other shapes.
     #[inline]
     fn point(&self) -> Option<Raw> {
         None
     }
 
-    /// The ends of what a segment is the core of; none of other shapes.
+    /// The ends of a shape whose core is a segment; none for other shapes.
     #[inline]
     fn ends(&self) -> Option<[Raw; 2]> {
         None
     }
 
-    /// The shape somewhere else, even outside of the domain.
+    /// The shape at another position, even outside of the domain.
     fn shifted(&self, by: Raw) -> Self;
 }
 
@@ -65,14 +65,14 @@ impl Few {
         Self { points: [p; 4], count: 1 }
     }
 
-    /// Equal ends are one point, others are put in lexicographic order: reversing them changes
+    /// Equal ends are one point. Others are put in lexicographic order, so reversing them changes
     /// nothing.
     fn line(a: Vec2, b: Vec2) -> Self {
         let (a, b) = if b.raw() < a.raw() { (b, a) } else { (a, b) };
         Self { points: [a, b, a, b], count: if a == b { 1 } else { 2 } }
     }
 
-    /// The parallelogram `at + {0, u} + {0, v}`, with `v` on the left of `u`; where one of them is
+    /// The parallelogram `at + {0, u} + {0, v}`, with `v` on the left of `u`; if one of them is
     /// zero, a segment or a point.
     fn parallelogram(at: Raw, u: Raw, v: Raw) -> Self {
         let (b, c) = (at.add(u), at.add(v));

@@ -1,4 +1,4 @@
-//! A box that may be turned.
+//! A box in any direction.
 
 use super::Aabb;
 use crate::error::{Quantity, RangeError};
@@ -8,8 +8,8 @@ use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2, check_coordinate, check_radius, to
 ///
 /// It keeps its centre and two half sides, each rounded **once**, at construction, to the nearest
 /// raw vector. From then on it is exactly the parallelogram of its four [corners](Self::corners),
-/// and every query is exact about that. Along x and y nothing is rounded: such a box gives the
-/// answers of an [`Aabb`]. A box of no width or height is legal and acts as a segment or a point.
+/// and every query is exact about that shape. A box along x and y is not rounded, and gives the
+/// answers of an [`Aabb`]. A box without width or height is legal and acts as a segment or a point.
 ///
 /// ```text
 ///            +
@@ -44,9 +44,10 @@ pub struct OrientedBox {
 impl OrientedBox {
     /// A box from its centre, half its size, and the direction of its first side.
     ///
-    /// The direction's length means nothing; `Axis::X` is an upright box. [`Axis::from_turns`]
-    /// gives it from an angle. Each component of a half side is rounded to nearest, so that quarter
-    /// turns and mirror images of the direction give turned and mirrored boxes bit for bit.
+    /// The length of the direction does not matter. `Axis::X` gives an upright box.
+    /// [`Axis::from_turns`] gives it from an angle. Each component of a half side is rounded to
+    /// nearest. So quarter turns and mirror images of the direction give turned and mirrored boxes
+    /// bit for bit.
     ///
     /// # Errors
     /// [`RangeError`] if the direction is zero or has a component `i32::MIN`, a half extent is
@@ -74,14 +75,14 @@ impl OrientedBox {
         Self { centre, along: along.vec2(), across: across.vec2(), radius: Fx::ZERO }.checked()
     }
 
-    /// A box from its half sides, as they were read.
+    /// A box from half sides that were read from a saved state.
     ///
-    /// Those of [`new`](Self::new) are a right angle apart, each component rounded by half a raw
-    /// unit: a product of the two is off by at most half the sum of the components, and half a
-    /// unit. Two that are not zero never are parallel.
+    /// The half sides of [`new`](Self::new) are a right angle apart, with each component rounded by
+    /// half a raw unit. Their dot product is off by at most half the sum of the components, and
+    /// half a unit. Two half sides that are not zero are never parallel.
     ///
     /// # Errors
-    /// [`RangeError`]: `Direction` where no direction gives them, or a corner is outside of the
+    /// [`RangeError`]: `Direction` if no direction gives them, or a corner is outside of the
     /// [domain](crate::num::DOMAIN).
     #[cfg(feature = "serde")]
     pub(super) fn from_sides(centre: Vec2, along: Vec2, across: Vec2) -> Result<Self, RangeError> {
@@ -102,7 +103,7 @@ impl OrientedBox {
         Self { centre, along, across, radius: Fx::ZERO }.checked()
     }
 
-    /// This box with a radius around it: corners become round, and every side moves out by
+    /// This box with a radius around it. Corners become round, and every side moves out by
     /// `radius`.
     ///
     /// ```

@@ -1,8 +1,8 @@
-//! A simple polygon as convex parts.
+//! Cuts a simple polygon into convex parts.
 //!
-//! One part after the other is cut off along a diagonal between two corners: an ear first, then the
-//! triangles beside it as long as the part stays convex. No new corner is made, so nothing is
-//! rounded. Differences are below 2^30 and turns below 2^61.
+//! One part after the other is cut off along a diagonal between two corners. A part starts with an
+//! ear, and grows by the triangles beside it as long as it stays convex. No new corner is made, so
+//! nothing is rounded. Differences are below 2^30 and turns below 2^61.
 
 use super::ConvexPolygon;
 use crate::error::RangeError;
@@ -12,12 +12,13 @@ use core::fmt;
 /// The most corners of a polygon that is cut: the size of the working list, 1 KB of stack.
 const MOST: usize = 128;
 
-/// What leaves an index of the list, and shows that it is one.
+/// Masks an index of the list, which shows the compiler that it is in bounds.
 const INDEX: usize = MOST - 1;
 
-/// Why a polygon has not been cut into convex parts.
+/// Why a polygon could not be cut into convex parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum PartsError {
     /// There are fewer than three corners.
     TooFew {
@@ -43,10 +44,9 @@ pub enum PartsError {
         /// The second side.
         other: usize,
     },
-    /// The polygon needs more parts than there is room for, or a part has no room for three
-    /// corners.
+    /// The polygon needs more parts than the result can hold, or a part cannot hold three corners.
     NoRoom {
-        /// How many parts there is room for.
+        /// How many parts the result can hold.
         capacity: usize,
     },
 }
@@ -73,8 +73,8 @@ impl core::error::Error for PartsError {}
 
 /// A simple polygon, cut into at most `M` convex parts of at most `N` corners each.
 ///
-/// The parts cover the polygon exactly and share borders only. Their corners are corners of the
-/// polygon: nothing is rounded. They are not the fewest possible.
+/// The parts cover the polygon exactly and share only borders. Their corners are corners of the
+/// polygon, so nothing is rounded. There may be more parts than necessary.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -107,14 +107,14 @@ impl<const N: usize, const M: usize> ConvexParts<N, M> {
     /// The most corners of a polygon that is cut.
     pub const MOST: usize = MOST;
 
-    /// Cuts a polygon, given by its corners in order, either way round.
+    /// Cuts a polygon, given by its corners in order, clockwise or counter-clockwise.
     ///
     /// Corners on one line with their neighbours are left out. Cost: up to `n^2 N` tests of a point
-    /// and a triangle per part, for `n` corners; meant for constants and for loading.
+    /// and a triangle per part, for `n` corners. Use it in constants or while you load a level.
     ///
     /// # Errors
     /// [`PartsError`]: fewer than three corners or more than [`MOST`](Self::MOST), one outside of
-    /// the [domain](crate::num::DOMAIN), sides that meet, or more parts than there is room for.
+    /// the [domain](crate::num::DOMAIN), sides that meet, or more parts than the result can hold.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops, and by the comparison with M")]
     pub const fn of(corners: &[Vec2]) -> Result<Self, PartsError> {
         let mut rest = match RestOfPolygon::of(corners) {

@@ -6,9 +6,9 @@ use crate::num::{Fx, Raw, Vec2, check_coordinate, check_radius};
 
 /// A convex polygon with room for `N` corners, square or rounded.
 ///
-/// Corners are exact. They are kept in one canonical order: counter-clockwise (y up, that is
+/// Corners are exact, and are kept in one canonical order. It is counter-clockwise (y up, that is
 /// positive [`perp_dot`](Vec2::perp_dot) from side to side), from the lowest y and there the lowest
-/// x. So polygons are equal where their points are, whatever order they were given in.
+/// x. So polygons with equal points are equal, whatever order the points were given in.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -37,10 +37,10 @@ pub struct ConvexPolygon<const N: usize> {
 }
 
 impl<const N: usize> ConvexPolygon<N> {
-    /// Without corners: what fills a list before it is written.
+    /// A polygon without corners, which fills a list before it is written.
     pub(super) const EMPTY: Self = Self { points: [Vec2::ZERO; N], count: 0, radius: Fx::ZERO };
 
-    /// A polygon from its corners, in order, either way round.
+    /// A polygon from its corners in order, clockwise or counter-clockwise.
     ///
     /// ```
     /// use tilesat::{ConvexPolygon, Vec2, error::PolygonError};
@@ -51,9 +51,9 @@ impl<const N: usize> ConvexPolygon<N> {
     /// ```
     ///
     /// # Errors
-    /// [`PolygonError`]: fewer than three or more than `N` corners, one outside of the [domain](crate::num::DOMAIN),
-    /// repeated, on a line with its neighbours, or turning the other way than the first; a path
-    /// that winds round twice.
+    /// [`PolygonError`]: fewer than three or more than `N` corners, or a path that winds around
+    /// twice. Also a corner that is outside of the [domain](crate::num::DOMAIN), repeated, on a
+    /// line with its neighbours, or that turns in the other direction than the first.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops")]
     pub const fn new(corners: &[Vec2]) -> Result<Self, PolygonError> {
         let n = corners.len();
@@ -109,12 +109,12 @@ impl<const N: usize> ConvexPolygon<N> {
     /// The convex hull of any points, in any order: the smallest convex polygon that holds them
     /// all. Exact.
     ///
-    /// Points inside and on the sides are left out. Cost: one product pair per point and corner of
-    /// the hull.
+    /// Points inside and on the sides are left out. Cost: a pair of products for each point and
+    /// corner of the hull.
     ///
     /// # Errors
-    /// [`PolygonError`]: a point outside of the [domain](crate::num::DOMAIN), no three points that are not on one line, or
-    /// a hull of more than `N` corners.
+    /// [`PolygonError`]: a point outside of the [domain](crate::num::DOMAIN), no three points that
+    /// are not on one line, or a hull of more than `N` corners.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops, and by the comparison with N")]
     #[doc(alias("convex hull", "gift wrapping"))]
     pub const fn hull(points: &[Vec2]) -> Result<Self, PolygonError> {
@@ -160,7 +160,7 @@ impl<const N: usize> ConvexPolygon<N> {
         if count < 3 { Err(PolygonError::TooFew { count }) } else { Ok(Self { points: out, count, radius: Fx::ZERO }) }
     }
 
-    /// This polygon with a radius around it: corners become round, and every side moves out by
+    /// This polygon with a radius around it. Corners become round, and every side moves out by
     /// `radius`.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Cells of a grid, and walks over ranges of them or along a way.
+//! Cells of a grid, and walks over ranges of them or along a motion.
 
 use super::tile_map::kind::TileKind;
 use crate::num::umul;
@@ -15,9 +15,8 @@ use crate::num::umul;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cell {
-    /// Column. -1 and the map's width stand for everything left and right of it. For a
-    /// [solid](super::Solids) it is the key, in a row that no map has: see
-    /// [`Solids::key_of`](super::Solids::key_of).
+    /// Column. -1 and the map's width stand for everything left and right of the map. For a
+    /// [solid](super::Solids) it holds the key: see [`Solids::key_of`](super::Solids::key_of).
     pub x: i16,
     /// Row; -1 and the map's height stand for everything beyond the first and the last row.
     pub y: i16,
@@ -30,13 +29,25 @@ impl Cell {
         Self { x, y }
     }
 
+    /// The cell that stands for a solid: its key in a row that no grid has, as theirs begin at -1.
+    pub(crate) const fn of_solid(key: u16) -> Self {
+        Self::new(key as i16, Self::SOLIDS)
+    }
+
+    /// The key of a solid.
+    pub(crate) const fn solid(self) -> Option<u16> {
+        if self.y == Self::SOLIDS { Some(self.x as u16) } else { None }
+    }
+
+    const SOLIDS: i16 = i16::MIN;
+
     /// For indices clamped to -1..=32767.
     pub(crate) const fn of(x: i32, y: i32) -> Self {
         Self { x: x as i16, y: y as i16 }
     }
 }
 
-/// Columns `x0..=x1` of rows `y0..=y1`; empty where a first is above its last.
+/// Columns `x0..=x1` of rows `y0..=y1`; empty if a first index is above its last.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Range {
     pub(in crate::world) x0: i32,
@@ -48,10 +59,10 @@ pub(in crate::world) struct Range {
 impl Range {
     pub(in crate::world) const NONE: Self = Self { x0: 0, y0: 0, x1: -1, y1: -1 };
 
-    /// Without a cell, to be [widened](Self::with).
+    /// A range without a cell, to be [widened](Self::with).
     pub(in crate::world) const NOWHERE: Self = Self { x0: i32::MAX, y0: i32::MAX, x1: i32::MIN, y1: i32::MIN };
 
-    /// Widened to a cell.
+    /// This range, widened to a cell.
     #[inline]
     pub(in crate::world) const fn with(self, x: i32, y: i32) -> Self {
         Self {
@@ -104,7 +115,7 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// Over.
+    /// A walk without a cell.
     pub(crate) const NONE: Self = Self::of(Range::NONE);
 
     pub(in crate::world) const fn of(range: Range) -> Self {
@@ -112,7 +123,7 @@ impl Cells {
     }
 }
 
-/// A walk over the strips of a way.
+/// A walk over the strips that a motion crosses.
 ///
 /// `along` is the axis across the strips, `aside` the other one. Distances count from the start of
 /// the motion and in its direction.
@@ -142,13 +153,13 @@ pub struct Way {
     pub(in crate::world) starts_beside: bool,
     /// The current strip, the step to the next one, and the last that there is.
     pub(in crate::world) strip: Edge,
-    /// How far the front goes until it comes into the next strip. Of the first strip not the gap
+    /// How far the front moves until it enters the next strip. For the first strip, without the gap
     /// before it: a strip beyond the map is wider than a cell, and the body may be in it already.
     pub(in crate::world) from: i32,
-    /// The length of the motion along, and how much of it goes aside, in parts of 2^30.
+    /// The length of the motion along, and the part of it that is aside, in parts of 2^30.
     pub(in crate::world) length: i32,
     pub(in crate::world) slope: u32,
-    /// How much later than the front the body's sides come into a strip, and leave it.
+    /// How much later than the front the body's sides enter a strip, and leave it.
     pub(in crate::world) lag: i32,
     pub(in crate::world) rear: i32,
     /// The cells aside at both ends of the body.
@@ -171,7 +182,7 @@ pub(in crate::world) struct Edge {
     pub(in crate::world) step: i32,
     /// The last index that there is.
     pub(in crate::world) last: i32,
-    /// How far the body goes until this end is in the next cell.
+    /// How far the body moves until this end is in the next cell.
     pub(in crate::world) gap: i32,
 }
 
@@ -189,11 +200,11 @@ impl Edge {
 }
 
 impl Way {
-    /// Cells that are nearer than this to the way count as passed. It makes up for two roundings
-    /// down, and for a displacement that is rounded aside.
+    /// Cells that are nearer than this to the path count as passed. It covers two roundings down,
+    /// and a displacement that is rounded aside.
     pub(in crate::world) const MARGIN: i32 = 6;
 
-    /// A way that is over.
+    /// A walk that has ended.
     pub(in crate::world) const NONE: Self = {
         Self {
             cells: Cells::NONE,
@@ -224,8 +235,8 @@ impl Way {
         self.starts_beside
     }
 
-    /// The part of the motion after which the body comes to the next strip, as a numerator and a
-    /// denominator; `None` where the way ends.
+    /// The part of the motion after which the body enters the next strip, as a numerator and a
+    /// denominator; `None` if the walk ends.
     #[inline]
     pub(crate) const fn next_part(&self) -> Option<(u32, u32)> {
         if !self.goes_on {

@@ -20,10 +20,10 @@ use core::cmp::Ordering;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum OneWay {
-    /// They are ignored.
+    /// One-way faces are ignored.
     #[default]
     Ignore,
-    /// They are surface only for points in front of them.
+    /// One-way faces are surface only for points in front of them.
     Include,
 }
 
@@ -39,7 +39,8 @@ pub struct Near {
     pub axis: Axis,
     /// Whether the given point is in the inside of the solid; on the surface it is not.
     pub inside: bool,
-    /// The piece of the surface: a face or an arc where the point is on it, a corner in its cone.
+    /// The piece of the surface. It is a face or an arc if the point is on it, or a corner if the
+    /// given point is in its cone.
     pub feature: Feature,
     /// How many features were examined.
     pub features: u32,
@@ -58,18 +59,18 @@ macro_rules! closest_point_of {
 }
 
 closest_point_of! {
-    /// The point of the surface that is nearest to `p` and at most `within` away, seen from outside
-    /// and from inside of the solid.
+    /// The point of the surface that is nearest to `p` and at most `within` units away. `p` may be
+    /// outside or inside of the solid.
     ///
     /// Distances are compared exactly. In a tie, a face or arc with the foot of `p` on it comes
     /// first. A corner comes next, then the end of a face, then the piece with the smaller
     /// coordinates. The answer depends only on the level and the point.
     ///
-    /// Cost: the features of squares around `p` whose half side doubles from one cell until the
-    /// nearest point is found, at the last `within`: at most twice the features of the last one,
-    /// which has `(2 within / cell + 3)` squared cells at most. [`Near::features`] counts them.
-    /// Within a cell of 24 units, of which a quarter hold a shape, some 13000 instructions on a
-    /// Cortex-M0.
+    /// Cost: it searches squares around `p`. The half side starts at one cell and doubles until the
+    /// nearest point is found, up to `within`. In total it examines at most twice the features of
+    /// the last square, which has at most `(2 within / cell + 3)` squared cells. [`Near::features`]
+    /// counts them. Within a cell of 24 units, of which a quarter hold a shape, some 13 000
+    /// instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{AllShapes, Axis, Fx, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2, world::OneWay};
@@ -93,8 +94,8 @@ closest_point_of! {
     /// The point of the surface that is nearest to `p` and at most `within` away; as
     /// [`TileMap::closest_point`].
     ///
-    /// Walls are surface, seen from outside. From inside of polygons that overlap, the edges of one
-    /// that lie in the other are surface too.
+    /// From outside, walls are surface. From inside of polygons that overlap, the edges of one that
+    /// lie in the other are surface, too.
     ///
     /// # Errors
     /// As [`TileMap::closest_point`].
@@ -102,13 +103,13 @@ closest_point_of! {
 }
 
 closest_point_of! {
-    /// The point of the solids' borders, where they are now, that is nearest to `p` and at most
-    /// `within` away; as [`TileMap::closest_point`].
+    /// The point of the solids' borders at their current positions that is nearest to `p` and at
+    /// most `within` units away; as [`TileMap::closest_point`].
     ///
     /// No border is one-way. From inside of solids that overlap, the border of one that lies in the
-    /// other is surface too.
+    /// other is surface, too.
     ///
-    /// Cost: all pieces of the solids whose box is within reach, once.
+    /// Cost: each piece of the solids whose box is within reach, once.
     ///
     /// ```
     /// use tilesat::world::{ConvexSolid, ConvexSolids, OneWay};
@@ -128,8 +129,8 @@ closest_point_of! {
     /// The point of both surfaces that is nearest to `p` and at most `within` away; as
     /// [`TileMap::closest_point`].
     ///
-    /// Seen from inside of the solid, faces and arcs that the other level covers in part are
-    /// surface as a whole.
+    /// From inside of the solid, faces and arcs that the other level covers in part are surface as
+    /// a whole.
     ///
     /// # Errors
     /// As [`TileMap::closest_point`].
@@ -150,7 +151,7 @@ pub(in crate::world) fn closest_point<W: World>(
     Ok(search(world, p, limit, one_way, inside))
 }
 
-/// The search in squares that double, as far as the limit.
+/// Searches squares whose half side doubles, up to the limit.
 fn search<W: World>(world: &W, p: Raw, limit: i32, one_way: OneWay, inside: bool) -> Option<Near> {
     let (mut reach, mut features) = (limit.min(world.cell_size() as i32), 0u32);
     loop {
@@ -196,7 +197,7 @@ fn find_nearest<W: World>(
     count
 }
 
-/// The part of a square in the domain: there is no surface beyond it.
+/// The part of a square in the domain, because there is no surface beyond it.
 fn square(p: Raw, reach: i32) -> Aabb {
     let (last, add) = (DOMAIN - 1, |v: i32, by: i32| v.saturating_add(by));
     Aabb::from_raw_unchecked(
@@ -218,12 +219,12 @@ enum Preference {
     /// Between the ends of a face or arc, or at an end that the normal there leads to.
     Foot,
     Corner,
-    /// The end of a face or arc, seen from beyond it.
+    /// The end of a face or arc, for a point beyond it.
     End(Raw),
 }
 
 impl Spot {
-    /// `None` where the feature is not the nearest anyway.
+    /// `None` if the feature is not the nearest anyway.
     #[inline(never)]
     fn of<W: World>(p: Raw, feature: &Feature, inside: bool) -> Option<Self> {
         let found = |measure, place| Some(Self { measure, place });
@@ -268,7 +269,7 @@ impl Spot {
         }
     }
 
-    /// Whether the spot of feature `f` goes before another, of `g`.
+    /// Whether the spot of feature `f` wins over another, of `g`.
     fn before<W: World>(&self, f: &Feature, other: &Self, g: &Feature) -> bool {
         let rank = |spot: &Self| match spot.place {
             Preference::Foot => 0,
@@ -281,8 +282,8 @@ impl Spot {
         }
     }
 
-    /// Whether it is no farther than the sides of a square: all that is nearer than these has been
-    /// seen.
+    /// Whether it is no farther than the sides of a square, within which everything has been
+    /// examined.
     #[inline(never)]
     fn is_within<W: World>(&self, reach: i32) -> bool {
         self.measure.order::<W>(&Measure::root(usqr(reach as u32))) != Ordering::Greater
@@ -337,7 +338,7 @@ impl Spot {
             }
             Measure::Ring { square, radius } if W::ROUND => isqrt64(square).wrapping_sub(radius),
             Measure::Line { front, den } if !W::BLOCKS => div_sqrt(front, den),
-            // The same for a level without others.
+            // The distance in a level without other features.
             Measure::Point { square } | Measure::Ring { square, .. } | Measure::Line { front: square, .. } => {
                 isqrt64(square)
             }

@@ -1,4 +1,4 @@
-//! Which features of a level a body overlaps, how deep, and which way out.
+//! Which features of a level a body overlaps, how deep, and in which direction it leaves.
 
 use super::joined::Joined;
 use super::level::{Feature, Geometry, World, ends, precedes};
@@ -49,9 +49,9 @@ impl WorldContact {
         self.contact.depth()
     }
 
-    /// Whether another way out of this feature is as short, or the body's middle is an arc's
-    /// centre. The normal is then a convention: x before y, + before -. Features that are equally
-    /// deep are separate contacts, in the order that `contacts` documents.
+    /// Whether another way out of this feature is equally short, or the body's middle is the centre
+    /// of an arc. The normal is then a convention: x before y, + before -. Features that are
+    /// equally deep are separate contacts, in the order that `contacts` documents.
     #[must_use]
     pub const fn is_degenerate(&self) -> bool {
         self.contact.is_degenerate()
@@ -60,10 +60,10 @@ impl WorldContact {
     /// A displacement after which the body does not overlap this feature. It is at most 4 raw units
     /// longer than the least one along the normal.
     ///
-    /// Each component is rounded away from the surface. One case has no such displacement: a
-    /// quarter pipe is not left by a circle that is larger than it; the push then leads toward the
-    /// arc's centre, and its ends are in charge. The result may lead out of the
-    /// [domain](crate::num::DOMAIN): `translated` says so.
+    /// Each component is rounded away from the surface. One case has no such displacement: a circle
+    /// that is larger than a quarter pipe cannot leave it. The push then leads toward the centre of
+    /// the arc, and the ends of the arc have separate contacts. The result may lead out of the
+    /// [domain](crate::num::DOMAIN); `translated` then returns an error.
     #[must_use]
     pub const fn push_out(&self) -> Vec2 {
         let Axis { x, y } = self.contact.axis;
@@ -89,7 +89,7 @@ impl WorldContact {
     /// The point of the feature that is nearest to a circle's centre or a box's deepest point, each
     /// component rounded to nearest.
     ///
-    /// If a side of a box is equally deep along a face: the middle of their common part.
+    /// If a side of a box is equally deep along a face, it is the middle of their common part.
     #[must_use]
     pub const fn point(&self) -> Vec2 {
         match self.feature.geometry {
@@ -114,7 +114,7 @@ impl WorldContact {
         self.found().before::<W>(other.found(), by_depth)
     }
 
-    /// Adds it to a list in the order of depths; if that is full, its last one goes.
+    /// Adds it to a list in the order of depths. If the list is full, its last contact is dropped.
     pub(super) fn insert_in<W: World>(&self, out: &mut VecView<Self>) {
         insert::<W>(out, self.found(), true);
     }
@@ -124,7 +124,7 @@ impl WorldContact {
     }
 }
 
-/// The parts of a [`WorldContact`], where they are.
+/// References to the parts of a [`WorldContact`].
 #[derive(Clone, Copy)]
 struct ContactRef<'a> {
     contact: &'a Contact,
@@ -136,8 +136,8 @@ impl ContactRef<'_> {
         WorldContact { contact: *self.contact, feature: *self.feature }
     }
 
-    /// Exact, for the order: of a circle how far its centre is from the feature, of a box the
-    /// depth.
+    /// The exact distance for the order: for a circle, that of its centre from the feature; for a
+    /// box, the depth.
     #[inline(never)]
     const fn measure(self) -> Measure {
         let Contact { axis, overlap, radius_b, .. } = *self.contact;
@@ -200,30 +200,30 @@ contacts_of! {
     /// Writes the features that a body overlaps to `out`, which is cleared first: each once, the
     /// nearest first.
     ///
-    /// A feature counts where the body is in its region. For a circle, the centre must be before or
-    /// behind a face or an arc, or in the cone of a corner. Right behind a concave corner it has
-    /// none of these; the faces count whose ends it covers and is behind of. For a box, the deepest
-    /// corner must be before or behind a slope or arc. A side of the box counts against a face
-    /// along x or y, or against the corner that it faces. A box that has none of these has the
-    /// nearest slope that it meets at all.
+    /// A feature counts if the body is in its region. For a circle, the centre must be before or
+    /// behind a face or an arc, or in the cone of a corner. Directly behind a concave corner none
+    /// of these applies. Then those faces count whose ends the circle covers and whose back it is
+    /// on. For a box, the deepest corner must be before or behind a slope or arc. A side of the box
+    /// counts against a face along x or y, or against the corner that it faces. If none of these
+    /// applies to a box, the nearest slope that it meets counts.
     ///
-    /// Capsules, turned boxes and polygons follow the rules of boxes, with their own sides, and
+    /// Capsules, oriented boxes and polygons follow the rules of boxes, with their own sides, and
     /// with a disc around each corner if they are rounded. The shortest way out comes first, by the
     /// depth rounded up to raw units; then faces and arcs before corners.
     ///
-    /// A [`Compound`](crate::shape::Compound) has the contacts of its parts, in the same order. Of a
-    /// feature that several parts overlap it lists the deepest, so after its
+    /// A [`Compound`](crate::shape::Compound) has the contacts of its parts, in the same order. If
+    /// several parts overlap a feature, it lists the deepest. So after its
     /// [`push_out`](WorldContact::push_out) no part overlaps that feature.
     ///
-    /// Features seen from behind count only while the body's middle is in the solid: the far side
-    /// of a thin wall is not a way out. Circles list the feature first whose distance from the
-    /// centre is least, boxes the shortest way out. Ties go as in
+    /// The back of a feature counts only while the body's middle is in the solid. Otherwise the far
+    /// side of a thin wall would be a way out. Circles list the feature first whose distance from
+    /// the centre is least, boxes the shortest way out. Ties are broken as in
     /// [`closest_point`](Self::closest_point). A body that reaches no surface, such as one deep in
     /// the solid or a point, has no contacts.
     ///
-    /// The result is the number of features examined. Cost: the features of the body's bounding
-    /// box, at most 10 per cell in `(width / cell + 2) (height / cell + 2)` cells. Each takes one
-    /// exact test, and each that is kept a comparison with those before it. A ball of 10 units that
+    /// Returns the number of features examined. Cost: the features of the body's bounding box, at
+    /// most 10 per cell in `(width / cell + 2) (height / cell + 2)` cells. Each feature takes one
+    /// exact test, and each that is kept is compared with those before it. A ball of 10 units that
     /// overlaps shapes of 24 takes some 7000 instructions on a Cortex-M0.
     ///
     /// ```
@@ -269,7 +269,7 @@ contacts_of! {
     /// which is cleared first; as [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [W: World] Placed<'_, W>
 }
 
@@ -278,7 +278,7 @@ contacts_of! {
     /// which is cleared first; as [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [] Solids<'_>
 }
 
@@ -287,7 +287,7 @@ contacts_of! {
     /// which is cleared first; as [`TileMap::contacts`].
     ///
     /// # Errors
-    /// [`Truncated`] where they do not fit: `out` then holds the nearest.
+    /// [`Truncated`] if they do not fit: `out` then holds the nearest.
     [C: SolidShape] ConvexSolids<'_, C>
 }
 
@@ -302,7 +302,7 @@ pub(crate) fn contacts<W: World, B: Pushable>(
     body.contacts_in(world, one_way, out)
 }
 
-/// The same for one shape with these bounds, whose middle is in the solid or not.
+/// The contacts of one shape with these bounds, whose middle is in the solid or not.
 #[inline(never)]
 fn contacts_in<W: World, B: PushOne>(
     world: &W,
@@ -354,12 +354,13 @@ pub(super) fn is_same(a: &Feature, b: &Feature) -> bool {
     (a.source, a.cell, a.index) == (b.source, b.cell, b.index)
 }
 
-/// Levels that store features by cells may report one for each cell.
+/// Whether a list has a feature, which levels that store features by cells may report for each
+/// cell.
 pub(super) fn is_listed(out: &VecView<WorldContact>, feature: &Feature) -> bool {
     out.iter().any(|c| is_same(&c.feature, feature))
 }
 
-/// Keeps the list in order; where it is full the last goes.
+/// Inserts in order. If the list is full, the last contact is dropped.
 #[inline(never)]
 fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>, by_depth: bool) {
     if out.is_full() || out.push(new.kept()).is_err() {
@@ -400,24 +401,24 @@ pub(in crate::world) mod kernel {
 
     /// A shape that is no compound.
     pub trait PushOne {
-        /// Whether all contacts count where none is in its region, not the least alone: they are
-        /// ties often, and then none goes before the other.
+        /// Whether all contacts count if none is in its region, not only the least. They are often
+        /// ties, of which none wins.
         const ROUND: bool;
         /// The bounding box, with the same middle.
         fn bounds(&self) -> Aabb;
-        /// Whether contacts are in the order of their rounded depths: of bodies whose sides and
+        /// Whether contacts are in the order of their rounded depths, for bodies whose sides and
         /// radii give distances of several kinds.
         const BY_DEPTH: bool = false;
-        /// The raw units around the middle: a point, where the sides are even. Rounding must not
-        /// put it on the surface, where it would not see the features before it.
+        /// The raw units around the middle: a point, if the sides are even. Rounding must not put
+        /// it on the surface, where it would miss the features in front of it.
         fn middle(&self) -> Aabb {
             let bounds = self.bounds();
             let (lo, hi) = (bounds.lo(), bounds.hi());
             let last = Raw { x: (lo.x + hi.x + 1) >> 1, y: (lo.y + hi.y + 1) >> 1 };
             Aabb::from_raw_unchecked(Raw::of(bounds.centre()), last)
         }
-        /// The contact with a feature, from behind as well where that is allowed, and whether it is
-        /// in the feature's region.
+        /// The contact with a feature, from behind as well if that is allowed, and whether it is in
+        /// the feature's region.
         fn meet<W: World>(&self, feature: &Feature, behind: bool) -> Option<(Contact, bool)>;
     }
 

@@ -1,7 +1,7 @@
 //! A convex shape as a level meets it.
 //!
-//! A level asks about its pieces one by one: boxes, polygons and quarters of discs, or segments and
-//! one winding number. Only a program that asks about one of these shapes links any of it.
+//! A level tests its pieces one by one: boxes, polygons and quarters of discs, or segments and one
+//! winding number. Only a program with queries for one of these shapes links any of it.
 
 use crate::num::Raw;
 use crate::query::{Core, meets};
@@ -11,13 +11,13 @@ use crate::shape::{Aabb, Convex};
 #[derive(Clone, Copy, Debug)]
 pub struct ConvexBody<'a> {
     pub(crate) core: Core<'a>,
-    /// Its bounding box, as the level sees it.
+    /// Its bounding box, relative to the level.
     pub(crate) bounds: Aabb,
     pub(crate) offset: Raw,
 }
 
 impl ConvexBody<'_> {
-    /// The same seen from a level that is shifted by as much again.
+    /// The same body relative to a level that is shifted by a further offset.
     pub(in crate::world) const fn seen_from(&self, offset: Raw) -> Self {
         let bounds = Aabb::from_raw_unchecked(self.bounds.lo().sub(offset), self.bounds.hi().sub(offset));
         Self { bounds, offset: self.offset.add(offset), ..*self }

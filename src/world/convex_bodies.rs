@@ -1,10 +1,10 @@
-//! Capsules, oriented boxes and convex polygons before every kind of level: whether they meet, and
-//! the contacts with one feature that they overlap. Compounds too.
+//! Capsules, oriented boxes, convex polygons and compounds in every kind of level: whether they
+//! meet it, and the contacts with one feature that they overlap.
 //!
-//! A contact says how deep, and which way out. Boxes and circles have separate kernels. A convex
-//! body has the same contacts as a box. A face has the deepest part of the body. A corner or an arc
-//! has the least exit across one of the body's sides, or past one of its rounded corners, in the
-//! feature's cone of normals.
+//! A contact has the depth and the direction of the way out. Boxes and circles have separate
+//! kernels. A convex body has the same contacts as a box. A face has the deepest part of the body.
+//! A corner or an arc has the least exit across one of the body's sides, or past one of its rounded
+//! corners, in the feature's cone of normals.
 
 use super::closest::OneWay;
 use super::contacts::kernel::{PushKernel, PushOne};
@@ -34,8 +34,7 @@ fn ask<W: World, B: Convex>(world: &W, shape: &B, bounds: Aabb, closed: bool) ->
 }
 
 impl<const N: usize> AnyShape<N> {
-    /// Whether it overlaps a level: strict and exact, as `overlaps` of the level. For scenes, whose
-    /// other shapes have it too.
+    /// Whether this shape overlaps a level: strict and exact, as `overlaps` of the level.
     ///
     /// ```
     /// use tilesat::shape::AnyShape;
@@ -245,8 +244,8 @@ impl Pushed<'_> {
         Some((contact, (joined[0] || !before) && (joined[1] || !after)))
     }
 
-    /// The least exit from a point with a radius, by normals in its cone. Those that the middle is
-    /// not in front of count from behind only, or, of an arc, where there are no others.
+    /// The least exit from a point with a radius, by normals in its cone. Normals that the middle
+    /// is not in front of count only from behind or, for an arc, if there are no others.
     fn exit(&self, p: Raw, radius: i32, in_cone: &dyn Fn(Axis) -> bool, behind: bool, any: bool) -> Option<Contact> {
         let (core, mut best, mut hidden) = (self.core, None, None);
         let mut consider = |contact: Contact| {
@@ -303,8 +302,8 @@ impl Pushed<'_> {
 impl<S: Single + PushOne, const M: usize> Pushable for Compound<S, M> {}
 
 impl<S: Single + PushOne, const M: usize> PushKernel for Compound<S, M> {
-    /// A feature goes into the list with its final depth, so a list that is full keeps the nearest
-    /// of all. For that each part is asked first which of its contacts count.
+    /// A feature is listed with its final depth, so a full list keeps the nearest of all. For that,
+    /// each part first decides which of its contacts count.
     fn contacts_in<W: World>(
         &self,
         world: &W,
@@ -352,7 +351,7 @@ struct Sight {
     behind: bool,
     /// Whether it is in the region of a feature. Other features do not count then.
     in_region: bool,
-    /// Otherwise the one that counts, unless all do.
+    /// Otherwise the one that counts, unless all count.
     spare: Option<WorldContact>,
 }
 

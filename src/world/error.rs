@@ -11,23 +11,22 @@ use core::fmt;
 pub enum TileMapError {
     /// The width or the height is zero.
     EmptyMap,
-    /// The width or the height is above 32767.
+    /// The width or the height is above 32 767.
     TooManyCells(u16),
     /// The side of a cell, in raw, is odd or outside of 2^8..=2^24.
     Cell(i32),
-    /// The map does not fit the [domain](crate::num::DOMAIN): which axis, and the raw coordinate of
-    /// its end.
+    /// The map does not fit the [domain](crate::num::DOMAIN).
     OutOfDomain {
         /// [`Quantity::X`] or [`Quantity::Y`].
         what: Quantity,
-        /// The end that is outside; it saturates.
+        /// The raw coordinate of the end that is outside; it saturates.
         value: i32,
     },
     /// Rows would overlap: the stride is less than the width.
     Stride(u16),
-    /// The data ends before the last tile. Bytes are counted, also where a tile is a bit.
+    /// The data ends before the last tile. Bytes are counted, even if a tile is a bit.
     TooShort {
-        /// The bytes that the map needs.
+        /// The number of bytes that the map needs.
         needed: u32,
         /// The bytes that there are.
         found: u32,
@@ -48,7 +47,7 @@ pub enum TileMapError {
         /// The column, from 0.
         column: u32,
     },
-    /// A row of text ends with a carriage return and a line feed: line feeds alone are wanted.
+    /// A row of text ends with a carriage return and a line feed. Use only line feeds.
     CarriageReturn {
         /// The row, from 0.
         row: u32,
@@ -59,8 +58,8 @@ pub enum TileMapError {
         /// The first such id.
         id: u8,
     },
-    /// The bits of [`with_occupancy`](crate::world::TileMap::with_occupancy) are too few, or not
-    /// those of the tiles.
+    /// The bits of [`with_occupancy`](crate::world::TileMap::with_occupancy) are too few, or do not
+    /// match the tiles.
     Occupancy {
         /// The first row that is missing or wrong.
         row: u16,
@@ -113,7 +112,7 @@ impl core::error::Error for TileMapError {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SegmentMapError {
-    /// There is no point at all.
+    /// There is no point.
     Empty,
     /// A polygon has fewer than three points, or a chain fewer than two.
     TooFewPoints {
@@ -152,23 +151,23 @@ pub enum SegmentMapError {
         /// The path.
         path: u32,
     },
-    /// There are more than 32768 segments. This is the first one too many.
+    /// There are more than 32 768 segments. This is the first one too many.
     TooManySegments {
         /// The path.
         path: u32,
-        /// The point where the segment starts that is too much.
+        /// The point at which the segment starts that is too many.
         point: u32,
     },
-    /// More than 65535 pairs of a segment and a cell that it meets: use larger cells.
+    /// More than 65 535 pairs of a segment and a cell that it meets: use larger cells.
     TooManyRefs {
         /// The path.
         path: u32,
-        /// The point where the segment starts that is too much.
+        /// The point at which the segment starts that is too many.
         point: u32,
     },
     /// The cells are refused: their size, their number, or their position.
     Grid(TileMapError),
-    /// More than 127 solids, or holes outside of solids, lie over each other in a cell.
+    /// More than 127 solids, or holes outside of solids, overlap each other in a cell.
     TooDeep(Cell),
     /// The buffer is too small.
     TooSmall {
@@ -192,9 +191,9 @@ pub enum SegmentMapError {
     },
     /// The checksum does not fit the bytes.
     Checksum {
-        /// The one that is stored.
+        /// The checksum that is stored.
         stored: u32,
-        /// The one that the bytes have.
+        /// The checksum of the bytes.
         computed: u32,
     },
     /// A segment is invalid.
@@ -208,9 +207,9 @@ pub enum SegmentMapError {
     Refs(Cell),
     /// The references are not as many as the segments have, or as the offsets say.
     RefCount {
-        /// How many there should be.
+        /// The number of references that there should be.
         needed: u32,
-        /// How many there are.
+        /// The number of references.
         found: u32,
     },
     /// The winding number of a cell is not that of its segments.
@@ -222,7 +221,7 @@ pub enum SegmentMapError {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SegmentFault {
-    /// It is the first of too many: there are at most 32768.
+    /// It is the first of too many: there are at most 32 768.
     TooMany,
     /// The length is below 1.
     Length,
@@ -285,8 +284,7 @@ impl fmt::Display for SegmentMapError {
 impl core::error::Error for SegmentMapError {}
 
 impl SegmentMapError {
-    /// For [`segment_map!`] alone: what [`Display`](core::fmt::Display) says of a level's paths, in
-    /// a constant.
+    /// Only for [`segment_map!`]: the message of [`Display`](core::fmt::Display) in a constant.
     #[doc(hidden)]
     #[must_use]
     pub const fn __text(&self) -> Text {

@@ -4,6 +4,7 @@ use super::cell::Cell;
 use super::error::TileMapError;
 use crate::error::Quantity;
 use crate::num::{DOMAIN, Fx, Raw, SPLIT, Vec2, umul};
+use crate::shape::Aabb;
 
 /// The cells of a map: how many, how large, and where.
 ///
@@ -27,7 +28,7 @@ pub struct Grid {
     pub(super) x: GridAxis,
     pub(super) y: GridAxis,
     pub(super) cell: i32,
-    /// 0 where the cell is a power of two, else `ceil(2^(31 + log) / cell)`.
+    /// 0 if the cell is a power of two, else `ceil(2^(31 + log) / cell)`.
     pub(super) magic: u32,
     /// `floor(log2 cell)`, 8 to 24.
     pub(super) log: u8,
@@ -40,7 +41,7 @@ pub(super) struct GridAxis {
     pub(super) origin: i32,
     /// The length of all cells, below 2^30.
     pub(super) size: i32,
-    /// The number of cells, 1 to 32767.
+    /// The number of cells, 1 to 32 767.
     pub(super) count: u16,
 }
 
@@ -49,8 +50,8 @@ impl Grid {
     /// `origin`.
     ///
     /// # Errors
-    /// [`TileMapError`] if a count is 0 or above 32767, or the cell is odd or not in 2^8..=2^24 raw
-    /// (1/256 to 256 units). Also if an end of the grid is outside the
+    /// [`TileMapError`] if a count is 0 or above 32 767, or the cell is odd or not in 2^8..=2^24
+    /// raw (1/256 to 256 units). Also if an end of the grid is outside the
     /// [domain](crate::num::DOMAIN).
     pub const fn new(width: u16, height: u16, cell: Fx, origin: Vec2) -> Result<Self, TileMapError> {
         if width == 0 || height == 0 {
@@ -102,11 +103,11 @@ impl Grid {
         Vec2::from_raw(self.x.origin.wrapping_add(self.x.size), self.y.origin.wrapping_add(self.y.size))
     }
 
-    /// The cell that holds a point: left and upper borders belong to it, right and lower ones to
-    /// the next.
+    /// The cell that holds a point. Left and upper borders belong to the cell, right and lower ones
+    /// to the next.
     ///
     /// Exact for every `p`; beyond the map, -1 or the width (the height). Cost: about 40
-    /// instructions on a Cortex-M0, twice that where the cell is no power of two; no division.
+    /// instructions on a Cortex-M0, twice that if the cell is not a power of two; no division.
     ///
     /// ```
     /// use tilesat::{Cell, Grid, Vec2, fx};
@@ -121,8 +122,8 @@ impl Grid {
         Cell::of(self.column(p.x), self.row(p.y))
     }
 
-    /// The position of a cell among bytes that are row after row, as
-    /// [`TileMap::of`](crate::TileMap::of) takes them. `None` beyond the map.
+    /// The index of a cell in bytes that are row after row, as for
+    /// [`TileMap::of`](crate::TileMap::of). `None` beyond the map.
     ///
     /// ```
     /// use tilesat::{Cell, Grid, Vec2, fx};
@@ -147,6 +148,28 @@ impl Grid {
         Some(y as usize * self.x.count as usize + x as usize)
     }
 
+    /// The box of a cell, to draw a tile or to put a door into it. `None` beyond the map.
+    ///
+    /// Exact; neighbouring boxes share a side. Cost: three products.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Cell, Grid, Vec2, fx};
+    /// let grid = Grid::new(20, 15, fx!(16), Vec2::from_ints(-100, 0))?;
+    /// let spawn = grid.bounds_of(Cell::new(2, 1)).unwrap();
+    /// assert_eq!((spawn.min(), spawn.max()), (Vec2::from_ints(-68, 16), Vec2::from_ints(-52, 32)));
+    /// assert_eq!(grid.bounds_of(Cell::new(20, 0)), None);
+    /// # Ok::<(), tilesat::TileMapError>(())
+    /// ```
+    #[must_use]
+    #[doc(alias("map_to_local", "tile_rect", "cell rectangle"))]
+    pub const fn bounds_of(&self, cell: Cell) -> Option<Aabb> {
+        if self.index_of(cell).is_none() {
+            return None;
+        }
+        let (lo, hi) = self.square(cell.x as i32, cell.y as i32);
+        Some(Aabb::from_raw_unchecked(lo, hi))
+    }
+
     /// The column that holds `x` as [`cell_at`](Self::cell_at) has it; of `x - 1`, the column that
     /// `x` is entered from on the right.
     pub(super) const fn column(&self, x: i32) -> i32 {
@@ -157,7 +180,8 @@ impl Grid {
         self.index(y, &self.y)
     }
 
-    /// The columns of two coordinates, `hi` not less than `lo - 1`, near each other as a rule.
+    /// The columns of two coordinates, `hi` not less than `lo - 1`, which are usually near each
+    /// other.
     #[inline]
     pub(super) const fn columns(&self, lo: i32, hi: i32) -> (i32, i32) {
         self.indices(lo, hi, &self.x)
@@ -194,7 +218,7 @@ impl Grid {
     }
 
     /// The last cell that begins before a distance from the origin, not less than the `first`;
-    /// stepped, because as a rule it is near.
+    /// found by steps, because it is usually near.
     #[inline]
     pub(super) const fn last_before(&self, distance: i32, first: i32) -> i32 {
         let (mut index, mut end) = (first, self.line(first.wrapping_add(1)));
@@ -218,12 +242,12 @@ impl Grid {
 
     /// `d / cell` for `d < 2^30`.
     ///
-    /// Granlund and Montgomery: with `l = log + 1` and `2^(30 + l) <= m cell < 2^(30 + l) + cell`,
-    /// `m d / 2^(30 + l)` exceeds `d / cell` by less than `d / 2^(30 + l) <= 1 / cell`, which
+    /// Granlund and Montgomery: let `l = log + 1` and `2^(30 + l) <= m cell < 2^(30 + l) + cell`.
+    /// Then `m d / 2^(30 + l)` exceeds `d / cell` by less than `d / 2^(30 + l) <= 1 / cell`, which
     /// cannot reach the next multiple. `m <= 2^31`, as `cell > 2^(l - 1)`.
     #[inline]
     pub(super) const fn quotient(&self, d: u32) -> u32 {
-        // Of the shift by 31 + log, 32 is the high word of the product.
+        // The high word of the product makes 32 of the shift by 31 + log.
         if self.magic == 0 {
             d >> (self.log & 31)
         } else if SPLIT {
@@ -233,11 +257,11 @@ impl Grid {
         }
     }
 
-    /// The same for indices below 2^15 without a long product.
+    /// [`quotient`](Self::quotient) for results below 2^15, without a long product.
     ///
     /// d / 2^(log - 1) is below 2^17, and the magic's upper half at most 2^15: the product is below
     /// 2^32. The first quotient loses less than 1 of it, which is half a cell, and the second less
-    /// than 2^17 / 2^16 cells. So three steps are enough; a loop would be unrolled, and dearer.
+    /// than 2^17 / 2^16 cells. So three steps are enough; a loop would be unrolled, and cost more.
     pub(super) const fn quotient_by_words(&self, d: u32) -> u32 {
         let index = (d >> (self.log.wrapping_sub(1) & 31)).wrapping_mul(self.magic >> 16) >> 16;
         let (rest, cell) = (d.wrapping_sub(index.wrapping_mul(self.cell as u32)), self.cell as u32);

@@ -1,5 +1,5 @@
-//! A level: the faces and vertices of its surface, which are all that motion ever sees of
-//! it; the trait that movers see it through; and the methods that every kind of level has.
+//! A level: the faces and vertices of its surface, which are all that motion uses; the trait by
+//! which movers use it; and the methods that every kind of level has.
 
 use super::cell::{Block, Cell, Cells, Way};
 use super::convex::ConvexBody;
@@ -9,7 +9,7 @@ use crate::num::{Axis, Raw, Vec2, imul};
 use crate::shape::{Aabb, Circle};
 
 pub(crate) mod sealed {
-    //! Only this crate implements the traits that its exactness argument rests on.
+    //! Only this crate implements the traits on which its exactness argument rests.
 
     /// A supertrait that nobody outside can implement.
     pub trait Sealed {}
@@ -23,16 +23,16 @@ pub struct Feature {
     pub geometry: Geometry,
     /// The cell whose solid it bounds.
     pub cell: Cell,
-    /// Which piece. Of a tile, 0..=3 are the faces on its sides: toward row 0, right, bottom, left.
-    /// 4..=7 are their vertices; a vertex follows the face that ends in it. 8 is the slope, arc or
-    /// inner face, 9 its vertex. Of a segment map: twice the segment's index, plus one for the
-    /// vertex at its end.
+    /// Which piece of the cell. For a tile, 0..=3 are the faces on its sides: toward row 0, right,
+    /// bottom, left. 4..=7 are their vertices; a vertex follows the face that ends in it. 8 is the
+    /// slope, arc or inner face, 9 its vertex. For a segment map, it is twice the segment's index,
+    /// plus one for the vertex at its end.
     pub index: u16,
     /// The user flags of the cell's tile.
     pub flags: u8,
-    /// Whether it blocks only bodies that come from entirely in front.
+    /// Whether it blocks only bodies that are entirely in front of it before they move in.
     pub one_way: bool,
-    /// Which level of a `Joined` pair it is from: 0 for the first, and for a level alone.
+    /// The level of a `Joined` pair that it is from: 0 for the first level, and for a single one.
     pub source: u8,
 }
 
@@ -91,8 +91,8 @@ pub enum Geometry {
         radius: i32,
         /// Both components 1 or -1: from the centre toward the arc.
         quadrant: Axis,
-        /// Whether the solid is on the centre's side; its normal points away from the centre then,
-        /// else toward it.
+        /// Whether the solid is on the side of the centre. The normal then points away from the
+        /// centre, else toward it.
         convex: bool,
     },
 }
@@ -162,11 +162,11 @@ pub(in crate::world) fn precedes(a: &Feature, b: &Feature) -> bool {
 /// Public in a private module, because a sealed trait's method takes it.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionPiece<'a> {
-    /// Holds whatever of the level the inside of the body's bounds meets in this piece.
+    /// Holds the part of the level that the inside of the body's bounds meets in this piece.
     pub(crate) piece: &'a Aabb,
-    /// The cells that the inside of the piece meets, where they are known.
+    /// The cells that the inside of the piece meets, if they are known.
     pub(crate) cells: Option<Cells>,
-    /// The same of the piece before.
+    /// The box of the piece before.
     pub(crate) before: Option<&'a Aabb>,
     /// The box that they cover in the whole motion, a raw unit larger on every side.
     pub(crate) whole: Aabb,
@@ -192,7 +192,7 @@ impl Seen {
     pub(crate) const NOTHING: Self = Self { held: None, cells: None };
 }
 
-/// The requirements of a [mover](crate::motion::Mover): a level's surface near a box, and two exact
+/// A level, as a [mover](crate::motion::Mover) uses it: its surface near a box, and two exact
 /// overlap tests.
 ///
 /// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views
@@ -220,18 +220,18 @@ pub trait World: sealed::Sealed {
     /// Every face and vertex of the surface that has a point in the closed region, in an order that
     /// depends on the level only.
     ///
-    /// Pieces near the region may come too.
+    /// Pieces near the region may be included.
     fn features(&self, region: &Aabb) -> Self::Features<'_>;
 
-    /// The same, for those who need to know how faces are joined or do not.
+    /// [`features`](Self::features), for bodies that need to know how faces are joined, or do not.
     #[doc(hidden)]
     fn features_near(&self, region: &Aabb, joints: bool) -> Self::Features<'_> {
         let _ = joints;
         self.features(region)
     }
 
-    /// Those of the features that a piece of a motion could run into and the piece before could
-    /// not: not less, but more may come.
+    /// At least those features that a piece of a motion could run into and the piece before could
+    /// not. There may be more.
     #[doc(hidden)]
     fn features_ahead(&self, way: &MotionPiece) -> Self::Features<'_> {
         self.features(way.piece)
@@ -265,7 +265,7 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// The cells of a grid that a body passes on its way, strip by strip; `r` rounds its core.
+    /// The cells of a grid that a body passes, strip by strip; `r` rounds its core.
     #[doc(hidden)]
     fn way(&self, bounds: &Aabb, r: i32, d: Raw) -> Way {
         let _ = (bounds, r, d);
@@ -284,13 +284,13 @@ pub trait World: sealed::Sealed {
         None
     }
 
-    /// The lines of a grid of blocks that a box comes to on its way.
+    /// The lines of a grid of blocks that a moving box reaches.
     #[doc(hidden)]
     fn lines(&self, _bounds: &Aabb, _d: Raw) -> Lines {
         Lines::NONE
     }
 
-    /// Whether the box overlaps something where such a way starts.
+    /// Whether the box overlaps something at the start of such a motion.
     #[doc(hidden)]
     fn starts_inside(&self, _lines: &Lines, bounds: &Aabb) -> bool {
         self.overlaps_aabb(bounds)
@@ -348,8 +348,8 @@ pub trait World: sealed::Sealed {
         let _ = by;
     }
 
-    /// Writes what of a region with area a body in it may meet: any body, or one that is the disc
-    /// of radius `r` in its bounds; where that is 0, that fills them. Returns whether the region is
+    /// Writes the part of a region with area that a body in it may meet. The body is any, or the
+    /// disc of radius `r` in its bounds, or fills them if `r` is 0. Returns whether the region is
     /// known to be in the domain.
     #[doc(hidden)]
     fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
@@ -369,7 +369,7 @@ pub trait World: sealed::Sealed {
     /// length.
     fn cell_size(&self) -> u32;
 
-    /// How many cells a box of this size may meet with its inside, in raw units below 2^30; 1 where
+    /// How many cells a box of this size may meet with its inside, in raw units below 2^30; 1 if
     /// there are none.
     #[doc(hidden)]
     fn most_cells(&self, width: u32, height: u32) -> u32 {

@@ -1,17 +1,17 @@
-//! The lines of a grid that a moving box comes to, and what it meets at one.
+//! The lines of a grid that a moving box reaches, and what it meets at one.
 
 use crate::num::umul;
 use core::cmp::Ordering;
 
-/// The lines along both axes that the front of a box comes to. It comes to none at the very end of
-/// its motion, where it would enter nothing.
+/// The lines along both axes that the front of a box reaches. A line at the very end of its motion
+/// does not count, because the box enters nothing there.
 ///
 /// Public in a private module, because a sealed trait's methods name it.
 #[derive(Clone, Copy, Debug)]
 pub struct Lines {
     pub(in crate::world) x: Sides,
     pub(in crate::world) y: Sides,
-    /// Whether the box has an area, and all of its way is in the map.
+    /// Whether the box has an area, and its whole motion is in the map.
     pub(in crate::world) in_map: bool,
 }
 
@@ -86,7 +86,7 @@ impl Lines {
 
 impl Sides {
     /// Compares the moment at which these sides have moved by `far` with that at which others have
-    /// moved by `gap`. A way that has not begun is at none before the others.
+    /// moved by `gap`. A motion that has not begun is at no line before the others.
     #[inline]
     pub(in crate::world) fn compare(&self, far: i32, other: &Self, gap: i32) -> Ordering {
         if gap == 0 {

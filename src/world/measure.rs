@@ -1,4 +1,4 @@
-//! A body against one feature: how far, how deep, which way out.
+//! A body against one feature: how far, how deep, and in which direction it leaves.
 //!
 //! Distances are exact, for comparison: roots, heights over lines, and the gap between a point and
 //! a circle.
@@ -15,7 +15,7 @@ pub(in crate::world) enum Measure {
     /// `sqrt(square)`, `square` below 2^61.
     Point { square: u64 },
     /// `front / sqrt(den)`, the height over a line whose direction has the square `den`: both below
-    /// 2^61, `den` above 1. Of the slopes of tiles `den` is 2 or 5, and `front` at most 3 * 2^30.
+    /// 2^61, `den` above 1. For the slopes of tiles `den` is 2 or 5, and `front` at most 3 * 2^30.
     Line { front: u64, den: u64 },
     /// `|sqrt(square) - radius|`, `square` below 2^61, the radius at most 2^24.
     Ring { square: u64, radius: u32 },
@@ -33,8 +33,8 @@ impl Measure {
         if den == 1 { Self::Point { square: usqr(front as u32) } } else { Self::Line { front, den } }
     }
 
-    /// Exact. Two or three products of double words where slopes or arcs are compared; ten where an
-    /// arc is compared with a free segment. A level links what it has features for.
+    /// Exact. It takes two or three products of double words to compare slopes or arcs, and ten to
+    /// compare an arc with a free segment. A level links only the code for its kinds of features.
     #[inline(never)]
     pub(in crate::world) fn order<W: World>(&self, other: &Self) -> Ordering {
         match (self, other) {
@@ -52,7 +52,7 @@ impl Measure {
     }
 }
 
-/// `f / sqrt(d)` against `g / sqrt(e)`: 183 bits, of the slopes of tiles 67.
+/// `f / sqrt(d)` against `g / sqrt(e)`: 183 bits, for the slopes of tiles 67.
 #[inline(never)]
 fn lines<W: World>(f: u64, d: u64, g: u64, e: u64) -> Ordering {
     if W::WIDE {
@@ -150,11 +150,11 @@ fn roots_together(a: u64, b: u64, sum: u32) -> Ordering {
 /// The contact of a box with a feature that it overlaps: its corner with a slope or arc, its side
 /// with a corner or with a face along x or y.
 ///
-/// `c` is its middle. `behind` says whether the back of the feature counts: where the middle is in
-/// the solid. With it, whether the box is in the feature's region.
+/// `c` is its middle. `behind` says whether the back of the feature counts, because the middle is
+/// in the solid. Also returns whether the box is in the feature's region.
 ///
-/// The way from a middle outside the solid to a point of the box in it leads in through a face or
-/// arc: that one has a contact, in its region or not.
+/// The line from a middle outside the solid to a point of the box inside enters through a face or
+/// arc. That one has a contact, in its region or not.
 #[inline(never)]
 pub(in crate::world) fn boxed<W: World>(
     lo: Raw,
@@ -214,7 +214,7 @@ pub(in crate::world) fn boxed<W: World>(
 }
 
 /// The coordinate of a box that is deepest behind a face with the normal's component `n`; the
-/// middle of what they share where all are.
+/// middle of their common part if all are.
 const fn deepest(n: i32, lo: i32, hi: i32, a: i32, b: i32) -> i32 {
     if n > 0 {
         lo
@@ -308,9 +308,9 @@ impl ArcFrame {
 /// The contact of a circle with a feature that it overlaps, and whether the feature's normal passes
 /// its centre.
 ///
-/// `behind` says whether the back of the feature counts: where the centre is in the solid. Only
-/// there does a face count whose normal does not pass the centre: right behind a concave corner
-/// there is none whose does.
+/// `behind` says whether the back of the feature counts, because the centre is in the solid. Only
+/// then does a face count whose normal does not pass the centre: directly behind a concave corner
+/// there is no other.
 #[inline(never)]
 pub(in crate::world) fn circle<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<(Contact, bool)> {
     if let Geometry::Face { a, dir, len, .. } = feature.geometry {
@@ -332,7 +332,7 @@ pub(in crate::world) fn circle<W: World>(c: Raw, r: i32, feature: &Feature, behi
     round::<W>(c, r, feature, behind).map(|contact| (contact, true))
 }
 
-/// The same for a corner or an arc.
+/// The contact of a circle with a corner or an arc.
 fn round<W: World>(c: Raw, r: i32, feature: &Feature, behind: bool) -> Option<Contact> {
     match feature.geometry {
         Geometry::Vertex { p, e_in, e_out } => {

@@ -2,24 +2,25 @@
 //!
 //! A [`TileMap`] reads a level from the bytes that it is stored as, usually in flash. It answers:
 //!
-//! | question | call | counts |
+//! | question | call | answer |
 //! |---|---|---|
-//! | does this box or circle overlap the solid? | [`overlaps`](TileMap::overlaps) | strict, exact |
-//! | ... or touch it? | [`touches`](TileMap::touches) | closed, exact |
+//! | does this shape overlap the solid? | [`overlaps`](TileMap::overlaps) | strict, exact |
+//! | does it touch the solid? | [`touches`](TileMap::touches) | closed, exact |
 //! | which tiles are here? | [`tiles_in`](TileMap::tiles_in) | strict; every tile of the map, solid or not |
 //! | which flags does this shape touch? | [`flags_touched`](TileMap::flags_touched) | closed; every tile of the map, solid or not |
-//! | what does this box or circle run into? | [`cast_shape`](TileMap::cast_shape) | where the motion would start to overlap; exact |
-//! | what does this ray see? | [`cast_ray`](TileMap::cast_ray), [`cast_ray_all`](TileMap::cast_ray_all) | solids are closed; one-way edges by an option |
+//! | which surface does this body run into? | [`cast_shape`](TileMap::cast_shape) | the start of an overlap; exact |
+//! | what does this ray hit? | [`cast_ray`](TileMap::cast_ray), [`cast_ray_all`](TileMap::cast_ray_all) | solids are closed; one-way edges by an option |
 //! | does this point see that one? | [`line_of_sight`](TileMap::line_of_sight) | solids are closed |
-//! | which parts of the surface does this body overlap, how deep, which way out? | [`contacts`](TileMap::contacts) | nearest first, each once |
+//! | which parts of the surface does this body overlap, how deep, and which push leads out? | [`contacts`](TileMap::contacts) | nearest first, each once |
 //! | which point of the surface is nearest? | [`closest_point`](TileMap::closest_point) | exact order; inside or outside |
 //! | which faces, arcs and vertices are near? | [`features`](TileMap::features) | the surface of the solid, and one-way edges |
 //!
-//! A [`SegmentMap`] reads a level of free line segments, polygons and chains, from bytes too. It
+//! A [`SegmentMap`] reads a level of free line segments, polygons and chains, also from bytes. It
 //! answers the same questions, except those about tiles. A [`Joined`] pair of levels, of either
-//! kind, is one level without a seam. Platforms and doors that move are [`Solids`], or
-//! [`ConvexSolids`] if they are not boxes, which you join to a level. A level that moves is
-//! [`Placed`]. Rays see these too, and [`Solids::key_of`] names the one that they met.
+//! kind, is one level without a seam. Moving platforms and doors are [`Solids`], or
+//! [`ConvexSolids`] if they are not boxes; you join them to a level. A level that moves is
+//! [`Placed`]. Rays hit these, too, and [`Solids::key_of`] returns the key of the solid that was
+//! hit.
 //!
 //! # Shapes and levels
 //!
@@ -31,17 +32,17 @@
 //! | `Capsule` | yes | yes | upright or level; a slanted one as an `AnyShape` | as casts |
 //! | `OrientedBox`, `ConvexPolygon` | yes | yes | yes | yes |
 //! | `AnyShape` | yes | yes | yes, if it has area or a radius | as casts |
-//! | `Compound` | its bounding box first, then its parts | of a feature the deepest part | the earliest part | yes |
-//! | `Segment` | none: as an `AnyShape` | none: it has no inside that could be pushed out | none: [`line_of_sight`](TileMap::line_of_sight) asks for the whole segment | none: nothing to carry |
+//! | `Compound` | its bounding box first, then its parts | the deepest part of each feature | the earliest part | yes |
+//! | `Segment` | none: as an `AnyShape` | none: it has no inside that could be pushed out | none: [`line_of_sight`](TileMap::line_of_sight) tests the whole segment | none: nothing to carry |
 //! | a point (`Vec2`) | a box without size | none: as a segment | `cast_ray` | none: as a segment |
 //!
-//! `distance` and `manifold` are verbs of two shapes. Of a level the nearest point is
+//! `distance` and `manifold` exist only for two shapes. The nearest point of a level is
 //! [`closest_point`](TileMap::closest_point), and two points of contact are two contacts.
 //!
-//! A world that is larger than the coordinates allow is cut into [`Rooms`], with borders that no
-//! body feels.
+//! A world that is larger than the coordinates allow is cut into [`Rooms`], whose borders affect no
+//! body.
 //!
-//! Movers see a level through [`World`] and nothing else.
+//! Movers use a level only through [`World`].
 
 mod cell;
 mod closest;

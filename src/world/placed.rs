@@ -8,8 +8,8 @@ use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
 use crate::shape::{Aabb, Circle};
 use crate::world::convex::ConvexBody;
 
-/// A level shifted by an offset, and itself a level: a polygon that moves, a room that slides in.
-/// It copies nothing.
+/// A level shifted by an offset: a polygon that moves, or a room that slides in. It is a level,
+/// too, and copies nothing.
 ///
 /// ```text
 ///    the level's own origin      here
@@ -18,13 +18,14 @@ use crate::world::convex::ConvexBody;
 ///      v /__\                           /__\
 /// ```
 ///
-/// Give it another offset in each frame and [join](crate::Joined) it with the rest. It blocks, and
-/// stops rays. [`Solid`](crate::Solid)s and [`ConvexSolid`](crate::world::ConvexSolid)s carry and
-/// push as well. A body that overlaps it at the new place is stuck until the game has moved it out.
+/// Give it another offset in each frame and [join](crate::Joined) it with the rest. It blocks
+/// bodies and stops rays, but does not carry or push; for that, use [`Solid`](crate::Solid)s and
+/// [`ConvexSolid`](crate::world::ConvexSolid)s. A body that overlaps it at the new position is
+/// stuck until the game has moved it out.
 ///
 /// Results are those of a level built there, bit for bit, because all kernels work on differences.
 /// A tile map that continues beyond its cells ([`Outside`](crate::Outside)) has a surface up to the
-/// end of its domain. Solid beyond that still stops a body, but does not lead it along.
+/// end of its domain. Solid beyond that still stops a body, but the body does not slide along it.
 ///
 /// Cost: that of the level, and a few additions for each call and each feature.
 ///
@@ -36,7 +37,7 @@ use crate::world::convex::ConvexBody;
 /// let body = Aabb::new(Vec2::from_ints(30, 0), Vec2::from_ints(40, 10))?;
 /// for frame in 0..4 {
 ///     let wedge = Placed::new(&WEDGES, Vec2::from_ints(0, -frame))?; // rises by 1 in each frame
-///     assert_eq!(wedge.overlaps(&body), frame == 3); // it is at 12 under the box's right side at first, whose bottom is at 10
+///     assert_eq!(wedge.overlaps(&body), frame == 3); // at first it is at y = 12 below the right side of the box, whose bottom is at 10
 /// }
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
@@ -60,8 +61,8 @@ impl<'a, W: World> Placed<'a, W> {
     ///
     /// # Errors
     /// [`RangeError`] if a component of the offset is not below [`MOTION`] (4096 units):
-    /// coordinates seen from the level stay below 2^29 + 2^28, and differences below 2^31 with
-    /// products below 2^62, which all kernels take.
+    /// coordinates relative to the level stay below 2^29 + 2^28. Their differences stay below 2^31,
+    /// with products below 2^62, which all kernels accept.
     pub const fn new(world: &'a W, offset: Vec2) -> Result<Self, RangeError> {
         match check_motion(offset, MOTION) {
             Ok(()) => Ok(Self { world, offset: Raw::of(offset) }),
@@ -86,7 +87,7 @@ impl<'a, W: World> Placed<'a, W> {
         PlacedFeatures { features: self.world.features(&self.seen(region)), offset: self.offset }
     }
 
-    /// A box as the level sees it.
+    /// A box relative to the level.
     const fn seen(&self, b: &Aabb) -> Aabb {
         Aabb::from_raw_unchecked(b.lo().sub(self.offset), b.hi().sub(self.offset))
     }
@@ -200,8 +201,8 @@ const fn is_inside(p: Raw) -> bool {
 meets_as_world! { [W: World] Placed<'_, W> }
 
 impl<W: RayWorld> Placed<'_, W> {
-    /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment
-    /// there is one.
+    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
+    /// count as one.
     ///
     /// # Errors
     /// As [`cast_ray`](Self::cast_ray).
@@ -219,11 +220,10 @@ impl<W: RayWorld> Placed<'_, W> {
 
 rays! {
     [W: RayWorld] Placed<'_, W> {
-        /// The first point of the level that a ray from `origin` along `motion` meets, or `None`
-        /// where it ends before.
+        /// The first point of the level that a ray from `origin` along `motion` meets, or `None` if
+        /// it ends before.
         ///
-        /// By the rules of the level's own `cast_ray`, of which it is the result, bit for bit,
-        /// shifted.
+        /// It is the result of the level's own `cast_ray`, shifted, bit for bit.
         ///
         /// ```
         /// use tilesat::{Axis, Inside, TileKind, TileKinds, TileMap, Vec2, world::Placed};
@@ -237,10 +237,10 @@ rays! {
         ///
         /// # Errors
         /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN), here
-        /// or as the level sees it: less the offset.
+        /// or relative to the level (less the offset).
         cast_ray,
-        /// Whether the straight line from `a` to `b` is free of the level, as a ray from `a` sees
-        /// it, and does not start inside.
+        /// Whether the straight line from `a` to `b` is free of the level and does not start
+        /// inside. A ray from `a` decides it.
         ///
         /// # Errors
         /// As [`cast_ray`](Self::cast_ray).

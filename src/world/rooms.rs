@@ -1,5 +1,5 @@
-//! Worlds larger than the coordinates allow: rooms with separate coordinates, and the way from one
-//! to the next.
+//! Worlds larger than the coordinates allow: rooms with separate coordinates, and the change from
+//! one to the next.
 
 use super::cell::Cell;
 use super::error::TileMapError;
@@ -22,16 +22,16 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2};
 ///    +---------------------+
 /// ```
 ///
-/// No body feels the border. Where the apron is [wide enough](Self::apron_for), a motion in the
+/// The border affects no body. If the apron is [wide enough](Self::apron_for), a motion in the
 /// room's map gives the same bits as in a map of the whole world. A body may move to the next room
 /// in any frame in which the apron still holds it.
 ///
-/// The rooms of a [`Rooms`] are equal, and are made on demand. Rooms of any rectangles are a table:
+/// The rooms of a [`Rooms`] are equal, and are made on demand. Rooms of any rectangles are a slice:
 ///
 /// ```
 /// use tilesat::{AllShapes, Fx, Grid, Room, TileKind, TileKinds, TileMap, TileMapError, Vec2};
 /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-/// // A hall of 4 x 2 cells, and right of it a cell of 1 x 2: each with an apron of one cell.
+/// // A hall of 4 x 2 cells, and to its right a chamber of 1 x 2, each with an apron of one cell.
 /// let map = |rows, width| {
 ///     let grid = Grid::new(width, 4, Fx::from_num(16), Vec2::ZERO)?;
 ///     TileMap::<AllShapes>::of(rows, grid, &KINDS)
@@ -57,11 +57,10 @@ pub struct Room<'a, S: Set = AllShapes> {
 }
 
 impl<'a, S: Set> Room<'a, S> {
-    /// A room of a map with an apron of that many cells on each side. Its first cell is the cell
+    /// A room of a map with an apron of `apron` cells on each side. Its first cell is the cell
     /// (`x`, `y`) of a world.
     ///
-    /// The map's own origin does not count. Where the world ends, the apron is filled by
-    /// [`Outside`].
+    /// The origin of the map is ignored. At the end of the world, [`Outside`] fills the apron.
     ///
     /// # Errors
     /// [`TileMapError::EmptyMap`] if the apron leaves nothing, [`TileMapError::OutOfDomain`] if the
@@ -81,13 +80,13 @@ impl<'a, S: Set> Room<'a, S> {
     }
 
     /// The least apron in cells for bodies whose width and height are at most `body` and whose
-    /// motion per frame is at most `motion` long. The step and the snap of a
-    /// [`Walker`](crate::Walker) add to its motion.
+    /// motion per frame is at most `motion` long. Add the step and the snap of a
+    /// [`Walker`](crate::Walker) to its motion.
     ///
     /// In a frame, a body reads the tiles that the closed box around its whole motion touches, or a
     /// box less than a unit larger. The position of a body in the room is its first corner, or any
-    /// other point of it. So `apron * cell > body + motion + 1`. With one cell less, some bodies
-    /// feel the border. A ray needs an apron as long as itself.
+    /// other point of it. So `apron * cell > body + motion + 1`. With one cell less, the border
+    /// affects some bodies. A ray needs an apron as long as itself.
     ///
     /// ```
     /// use tilesat::{AllShapes, Fx, Room};
@@ -137,7 +136,7 @@ impl<'a, S: Set> Room<'a, S> {
         0 <= p.x && p.x < width && 0 <= p.y && p.y < height
     }
 
-    /// The world's cell for a cell of the room's [map](Self::map), such as that of a hit.
+    /// The cell of the world for a cell of the room's [map](Self::map), such as that of a hit.
     ///
     /// ```
     /// use tilesat::{AllShapes, Cell, Grid, Room, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -157,14 +156,15 @@ impl<'a, S: Set> Room<'a, S> {
         (self.x.wrapping_add(cell.x as i32 - left), self.y.wrapping_add(cell.y as i32 - above))
     }
 
-    /// The room of a table that holds a point of this one. Also the vector to add to all positions
-    /// of the body that moves over.
+    /// The room of a slice that holds a point of this room. Also returns the vector to add to all
+    /// positions of the body that changes rooms.
     ///
-    /// If no room holds it, the nearest one counts, along x and y together: a hero may jump over
-    /// the top of one room into the next. `None` if that is this room. If several rooms hold the
-    /// point, it returns the first. So call it only after [`holds`](Self::holds) has become false.
+    /// If no room holds the point, the nearest one is returned (by the sum of the distances along x
+    /// and y). So a hero may jump over the top of one room into the next. `None` if that is this
+    /// room. If several rooms hold the point, the first is returned. So call it only once
+    /// [`holds`](Self::holds) is false.
     ///
-    /// Cost: two products and some comparisons per room of the table; no division.
+    /// Cost: two products and some comparisons per room of the slice; no division.
     #[must_use]
     pub fn next_of<'r>(&self, rooms: &'r [Self], place: Vec2) -> Option<(&'r Self, Vec2)> {
         let all = rooms.iter().filter_map(|room| Some((room, self.way_to((room.x, room.y))?)));
@@ -182,8 +182,8 @@ impl<'a, S: Set> Room<'a, S> {
         beyond(p.x, self.width).wrapping_add(beyond(p.y, self.height))
     }
 
-    /// The vector to add to a point of this room to have it in one with this first cell. `None`
-    /// where no coordinate can be that far.
+    /// The vector to add to a point of this room to have it in one with this first cell. `None` if
+    /// no coordinate can be that far.
     const fn way_to(&self, first: (i32, i32)) -> Option<Vec2> {
         match (apart(self.x, first.0, self.map.grid.cell), apart(self.y, first.1, self.map.grid.cell)) {
             (Some(x), Some(y)) => Some(Vec2::from_raw(x, y)),
@@ -199,7 +199,7 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
     if -2 * (DOMAIN as i64) < raw && raw < 2 * DOMAIN as i64 { Some(raw as i32) } else { None }
 }
 
-/// A world of tiles, cut into equal rooms: one array of tiles, row after row, of up to 65535
+/// A world of tiles, cut into equal rooms: one array of tiles, row after row, of up to 65 535
 /// columns and rows.
 ///
 /// A [`Room`] is a window of that array: its apron costs no flash and no memory. Outside of the
@@ -239,7 +239,7 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("chunks", "streaming"))]
 pub struct Rooms<'a, S: Set = AllShapes> {
-    /// All but the grid of each room's map.
+    /// The map of each room, except for its grid.
     pattern: TileMap<'a, S>,
     world: (u16, u16),
     room: (u16, u16),
@@ -247,12 +247,13 @@ pub struct Rooms<'a, S: Set = AllShapes> {
 }
 
 impl<'a, S: Set> Rooms<'a, S> {
-    /// A world of that many columns and rows of cells, in rooms of that many. The last room of a
-    /// row and of a column may be smaller.
+    /// A world from its size and that of a room, both in columns and rows of cells. The last room
+    /// of a row and of a column may be smaller.
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, not enough tiles, a cell or a shape that a map cannot have. Also
-    /// a room that does not fit the [domain](crate::num::DOMAIN) together with its apron.
+    /// [`TileMapError`] if there are no cells, not enough tiles, or a cell or a shape that a map
+    /// cannot have. Also if a room does not fit the [domain](crate::num::DOMAIN) together with its
+    /// apron.
     pub const fn of(
         tiles: &'a [u8],
         world: (u16, u16),
@@ -303,8 +304,8 @@ impl<'a, S: Set> Rooms<'a, S> {
 
     /// A room by its index among the rooms; `None` beyond the world.
     ///
-    /// Cost: that of [`Grid::new`]. Keep it while the body is in it: it is 72 bytes on a 32-bit
-    /// core.
+    /// Cost: that of [`Grid::new`]. Keep the room while the body is in it. It takes 72 bytes on a
+    /// 32-bit core.
     #[must_use]
     pub const fn room(&self, column: u16, row: u16) -> Option<Room<'a, S>> {
         let x = RoomAxis::of(column, self.room.0, self.world.0, self.apron);
@@ -326,14 +327,14 @@ impl<'a, S: Set> Rooms<'a, S> {
         }
     }
 
-    /// The room that holds a point which has left the given room. Also the vector to add to all
-    /// positions of the body that moves over. `None` while the point is still in the room.
+    /// The room that holds a point which has left the given room. Also returns the vector to add to
+    /// all positions of the body that changes rooms. `None` while the point is still in the room.
     ///
-    /// A point beyond an end of the world counts as one at that end: a hero may run on top of the
-    /// uppermost tiles, from room to room.
+    /// A point beyond an end of the world counts as one at that end. So a hero may run on top of
+    /// the uppermost tiles, from room to room.
     ///
-    /// Cost: four comparisons where it is still in the room. Else four 32-bit divisions and a
-    /// [`room`](Self::room), however large the world is.
+    /// Cost: four comparisons if it is still in the room. Otherwise four 32-bit divisions and a
+    /// [`room`](Self::room), independent of the size of the world.
     #[must_use]
     pub const fn next(&self, room: &Room<'_, S>, place: Vec2) -> Option<(Room<'a, S>, Vec2)> {
         if room.holds(place) {
@@ -366,7 +367,7 @@ struct RoomAxis {
 
 impl RoomAxis {
     const fn of(index: u16, room: u16, world: u16, apron: u16) -> Option<Self> {
-        // Below 2^31: a room has at most 32767 cells.
+        // Below 2^31: a room has at most 32 767 cells.
         let (first, world) = (index as i32 * room as i32, world as i32);
         if first >= world {
             return None;
@@ -382,7 +383,7 @@ const fn least(a: i32, b: i32) -> i32 {
     if a < b { a } else { b }
 }
 
-/// Saturated, which no map can have.
+/// The width with both aprons. It saturates, which no map accepts.
 const fn with_apron(room: u16, apron: u16) -> u16 {
     room.saturating_add(apron).saturating_add(apron)
 }
@@ -398,7 +399,7 @@ const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> u16 {
     quotient(if cell < 0 { 0 } else { least(cell, last as i32) as u16 }, room)
 }
 
-/// A divisor is never 0.
+/// The number of rooms. A divisor is never 0.
 const fn quotient(cells: u16, room: u16) -> u16 {
     match cells.checked_div(room) {
         Some(quotient) => quotient,

@@ -1,4 +1,4 @@
-//! The way of a body through a level, and what lies on it.
+//! The path of a body through a level, and what lies on it.
 
 use super::cell::{Block, Cells, Way};
 use super::convex::ConvexBody;
@@ -9,11 +9,11 @@ use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle};
 use core::cell::Cell;
 
-/// The straight parts of the way that a body made in one call, in order.
+/// The straight parts of the path of a body in one call, in order.
 ///
 /// [`Mover::move_along`](crate::Mover::move_along) writes it. [`TileMap::tiles_on`] and
-/// [`Solids::on`] then list all that the body passed: bump.lua's "cross", exact on every part of a
-/// way that slides and bounces. Plain data, 40 bytes.
+/// [`Solids::on`] then list everything that the body passed: bump.lua's "cross", exact on every
+/// part of a path that slides and bounces. Plain data, 40 bytes.
 ///
 /// [`TileMap::tiles_on`]: crate::TileMap::tiles_on
 /// [`Solids::on`]: crate::Solids::on
@@ -40,12 +40,12 @@ pub struct Trail {
 }
 
 impl Trail {
-    /// A call of a mover makes at most this many straight parts: one for each of its
+    /// The most straight parts of one call: one for each of the mover's
     /// [sweeps](crate::Mover::ITERATIONS).
     pub const PARTS: usize = 4;
 
-    /// Each part: where it begins, as seen from the start of the way, and its displacement. A body
-    /// that stays has none.
+    /// Each part: its start, relative to the start of the path, and its displacement. A body that
+    /// stays has no parts.
     pub fn parts(&self) -> impl Iterator<Item = (Vec2, Vec2)> + Clone + use<> {
         let mut at = Vec2::ZERO;
         self.parts.into_iter().take(self.len.into()).map(move |by| {
@@ -55,12 +55,12 @@ impl Trail {
         })
     }
 
-    /// The parts; of a body that stays, one without a length.
+    /// The parts; for a body that stays, one of length zero.
     pub(in crate::world) fn legs(&self) -> impl Iterator<Item = (Vec2, Vec2)> + Clone + use<> {
         self.parts().chain((self.len == 0).then_some((Vec2::ZERO, Vec2::ZERO)))
     }
 
-    /// A way of one part.
+    /// A path of one part.
     pub(crate) fn straight(by: Vec2) -> Self {
         let mut trail = Self::default();
         trail.push(by);
@@ -80,7 +80,7 @@ impl Trail {
     }
 }
 
-/// A level that notes the way which a mover makes through it, and is otherwise the level.
+/// A level that records the path of a mover, and otherwise answers as the level does.
 pub(crate) struct Traced<'w, W> {
     world: &'w W,
     trail: Cell<Trail>,

@@ -23,7 +23,7 @@ fn run<B: BroadPhase<Tag = SceneTag>>(scene: &mut Scene<B, BODIES>, steps: u32) 
     (0..steps).map(|_| scene.step(&room(), GRAVITY, |_| {}).unwrap()).last().unwrap()
 }
 
-/// Of a sequence without a pattern that matters here.
+/// A sequence without a pattern that matters here.
 struct Random(u64);
 
 impl Random {

@@ -97,8 +97,8 @@ fn fall_together(case: u64) {
     }
 }
 
-/// A speed of a raw unit is too low to be shared by masses of 1 and 2, and such bodies met each
-/// other at the start of each step until they waited for the next one. They hung in the air.
+/// A speed of a raw unit is too low to be shared by masses of 1 and 2. Such bodies met each other
+/// at the start of each step until they waited for the next one. They hung in the air.
 #[test]
 fn fast_bodies_that_touch_fall() {
     (0..200).for_each(fall_together);

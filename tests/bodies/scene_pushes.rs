@@ -74,7 +74,7 @@ fn nobody_is_pushed_through_a_row() {
                     let depth = overlap(&scene, hero, row[0]);
                     assert!(depth < 3, "{what}: {depth} units in the first crate");
                 }
-                // Of three, each gets a third of the way.
+                // Each of three receives a third of the correction.
                 let end = left(&scene, *row.last().unwrap());
                 assert!(end > if crates < 3 { 100 } else { 80 }, "{what}: the last is at {end}");
             }

@@ -71,9 +71,9 @@ fn play(
         .collect()
 }
 
-/// Without other bodies all ways are straight, and so are those of bodies that cross: what is
-/// reported is what touches at the start of a step, and whom each fast body meets on its way, all
-/// of them. The judge looks at places along both ways, in 128 bits.
+/// Without other bodies all motions are straight, and so are those of bodies that cross. A step
+/// reports what touches at its start, and every body that each fast body meets during its motion.
+/// The judge looks at places along both ways, in 128 bits.
 #[test]
 fn crossing_changes_no_way_and_reports_all() {
     let map = level(NOWHERE);

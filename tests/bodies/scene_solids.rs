@@ -1,5 +1,5 @@
 //! Moving solids of a scene carry, push and squash bodies of all shapes. Bullets hit them, and so
-//! turned boxes and polygons that are bodies.
+//! oriented boxes and polygons that are bodies.
 //!
 //! The judge of positions is the exact sum of two convex shapes.
 
@@ -206,7 +206,7 @@ fn plain_solids_are_convex_ones() {
     assert!(seen > 500);
 }
 
-/// A pile of boxes, a turned box, a lying capsule and a polygon on a lift that moves and stops.
+/// A pile of boxes, an oriented box, a lying capsule and a polygon on a lift that moves and stops.
 /// Each goes by exactly the motion of the lift. Asleep, they go with its first motion.
 #[test]
 fn a_pile_rests_on_a_lift() {
@@ -315,7 +315,7 @@ fn bullets_hit_moving_walls() {
             scene
                 .step(&Joined::new(&level, &joined), Vec2::ZERO, |event| match event {
                     SceneEvent::Level { hits: met, .. } => {
-                        assert!(met.iter().all(|hit| matches!(Solids::key_of(hit.cell), Some(1..=4))));
+                        assert!(met.iter().all(|hit| matches!(hit.solid(), Some(1..=4))));
                         hits += 1;
                     }
                     SceneEvent::Held(e) => panic!("{e:?}"),

@@ -173,7 +173,7 @@ impl<B: BroadPhase<Tag = SceneTag>, S: BodyShape + Into<WithCapsules>> Played<B,
                     named.extend([key(pair.a), key(pair.b)]);
                 }
                 SceneEvent::Level { body, .. } => named.push(key(body)),
-                SceneEvent::Held(error) => panic!("held: {error}"),
+                other => panic!("{other:?}"),
             })
             .unwrap();
         if lift != Vec2::ZERO {
@@ -264,7 +264,7 @@ fn play<S: BodyShape + Into<WithCapsules>>(
     (mut one, mut two, mut three): (Sorted, Brute<S>, Hashed),
 ) -> [u64; 3] {
     const BUSY: u32 = 300;
-    // Of 7500 scripts one takes more than 1000 frames, 1765: a capsule squeezed between two others
+    // One of 7500 scripts takes more than 1000 frames, 1765. A capsule squeezed between two others
     // sinks by 15 raw units per frame, at a velocity of half a unit that they stop in each step.
     const LONGEST: u32 = 4000;
     let map = TileMap::from_ascii(ROWS, &KINDS).unwrap();

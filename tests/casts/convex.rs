@@ -1,4 +1,4 @@
-//! Casts of capsules, turned boxes and polygons, on each other and on plain shapes, against the
+//! Casts of capsules, oriented boxes and polygons, on each other and on plain shapes, against the
 //! exact judge: hits and misses, exact moments, free positions, exchanged pairs.
 //!
 //! `TILESAT_CASES` sets the number of cases per pair and class (default 700).

@@ -1,4 +1,4 @@
-//! Rays against capsules, turned boxes and polygons, sharp and rounded, against the exact judge:
+//! Rays against capsules, oriented boxes and polygons, sharp and rounded, against the exact judge:
 //! every one of a small lattice, and streams that touch, nearly touch and cross the domain.
 //!
 //! `TILESAT_CASES` sets the number of rays per kind and class (default 1500).

@@ -58,9 +58,9 @@ for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
     "$out/debug/tilesat-defmt-check" "$elf" "$frames" "$out/doc/tilesat" "$here/expected.txt" $accept || failed=1
 done
 
-# Programs with every public function of shapes, broad phases and scenes, and a game. Without the
-# feature, and with it but without a log.
-programs=(everything_shapes everything_bodies everything_scenes move_circle_shapes)
+# Programs with every public function of shapes and of scenes. Without the feature, and with it but
+# without a log.
+programs=(everything_shapes everything_scenes)
 # Functions, constants and statics of a program with their sizes. Their position, and so some bytes
 # of padding, depends on the compiler's hashes, which include features. So do the last parts of the
 # names. The two marks of the encoding are in no loaded section.

@@ -1,6 +1,6 @@
-//! What a level is made of changes no bit (L4): the same blocks and slopes as tiles, as polygons,
-//! as tiles joined with solids, and as two maps of tiles; for boxes, circles and capsules that
-//! slide and that walk. So what is shown of tiles holds in all of them (L1 to L8).
+//! What a level is made of changes no bit (L4). The same blocks and slopes come as tiles, as
+//! polygons, as tiles joined with solids, and as two maps of tiles. Boxes, circles and capsules
+//! slide and walk in each. So what is shown of tiles holds in all of them (L1 to L8).
 
 use super::walk_worlds::{Frame, step};
 use tilesat::motion::Support;

@@ -235,7 +235,7 @@ fn answers_by_the_normal() {
         .collect();
     let body = Circle::new(Vec2::ZERO, Fx::from_num(4)).unwrap();
     for key in 0..4_u16 {
-        let answer = move |hit: &Hit| (Solids::key_of(hit.cell) == Some(key)).then_some(Response::Bounce);
+        let answer = move |hit: &Hit| (hit.solid() == Some(key)).then_some(Response::Bounce);
         let mover = Mover::new().with_answers(answer);
         for (hit, v) in [(0_u16, (0, 30)), (1, (30, 0)), (2, (0, -30)), (3, (-30, 0))] {
             let moved = mover.move_and_slide(&Solids::new(&solids), &body, Vec2::from_ints(v.0, v.1)).unwrap();

@@ -1,5 +1,5 @@
-//! Turned boxes, polygons and slanted capsules that move through random levels: never inside, never
-//! through a wall, never faster, and never held by what leaves them a way.
+//! Oriented boxes, polygons and slanted capsules that move through random levels: never inside,
+//! never through a wall, never faster, and never held by what leaves them a way.
 
 use std::fmt::Debug;
 use tilesat::motion::Body;

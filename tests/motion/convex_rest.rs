@@ -1,4 +1,5 @@
-//! Turned boxes, polygons and capsules come to rest in tiles and on convex solids, and stay (P17).
+//! Oriented boxes, polygons and capsules come to rest in tiles and on convex solids, and stay
+//! (P17).
 //!
 //! A call depends only on the level, the body and the velocity. So a frame that returns its own
 //! body and velocity repeats for ever. Each rest is played for `TILESAT_FRAMES` frames (default
@@ -147,7 +148,7 @@ struct Seen {
     latest: u32,
 }
 
-/// A turned box, a capsule that stands, lies or slants, or a polygon, sharp or round.
+/// An oriented box, a capsule that stands, lies or slants, or a polygon, sharp or round.
 fn any(r: &mut Random, c: P, size: i64) -> Any {
     loop {
         let half = (r.within(1 + size / 8, size / 2), r.within(1 + size / 8, size / 2));

@@ -1,5 +1,5 @@
-//! Moves of turned boxes, polygons and slanted capsules in other views of a level, and of the same
-//! body in other words: the same bits.
+//! Moves of oriented boxes, polygons and slanted capsules in other views of a level, and of the
+//! same body in other words: the same bits.
 //!
 //! Exempt are full ties, as for other bodies (see `symmetry`).
 
@@ -53,7 +53,7 @@ struct Tally {
     words: u64,
 }
 
-/// The same turned box or polygon as other types, and with its corners in another order.
+/// The same oriented box or polygon as other types, and with its corners in another order.
 fn in_other_words(mover: &Mover, world: &impl World, shape: &Shape, v: P, wanted: &Bits, r: &mut Random) -> bool {
     let check = |seen: Bits| assert_eq!(seen, *wanted, "{shape:?} by {v:?}");
     let (mut corners, radius) = match *shape {

@@ -19,6 +19,7 @@ mod convex_rest;
 mod convex_views;
 mod convex_walks;
 mod floor;
+mod hashes;
 mod inside;
 mod invariants;
 mod long_runs;

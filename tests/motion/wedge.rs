@@ -106,7 +106,7 @@ fn along(v: Vec2, n: Axis, from: u32, to: u32) -> Option<[f64; 2]> {
     Some([at(0), at(1)])
 }
 
-/// Of the angle between two directions.
+/// The sine of the angle between two directions.
 fn sine(a: Axis, b: Axis) -> f64 {
     let length = |v: Axis| f64::from(v.x).hypot(f64::from(v.y));
     a.perp_dot(b).abs() as f64 / (length(a) * length(b))
@@ -151,7 +151,7 @@ fn discs_go_in_between_two_corners() {
     let mut random = Random::new(33);
     for _ in 0..4000 {
         let r = random.within(18 * UNIT, 20 * UNIT);
-        // Where it touches both, seen from the lower corner; then turned back round that one.
+        // Where it touches both, relative to the lower corner; then turned back around that one.
         let along = ((r * r) as f64 / (half_x * half_x + half_y * half_y) - 1.0).sqrt();
         let (x, y) = (half_x - half_y * along, half_y + half_x * along);
         let turn = random.within(40, 4000) as f64 / r as f64;

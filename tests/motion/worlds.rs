@@ -115,7 +115,7 @@ fn walking_speed() {
 /// A motion of thousands of units crosses the whole map.
 #[test]
 fn at_four_thousand_units_a_frame() {
-    let tally = worlds(200, frames() / 100, (24, 16), 4000);
+    let tally = worlds(200, frames() / 200, (24, 16), 4000);
     assert!(tally.hits > tally.frames / 4);
 }
 
@@ -191,7 +191,7 @@ fn work_is_bounded() {
         let (lo, hi) = body.bounds();
         let across = |size: i64| (size + (1 << 20) + 2) / (16 << 16) + 2;
         let pieces = v.0.abs().max(v.1.abs()) / (16 << 16) + 1;
-        // Of a cell's eight features, two faces and three corners can face a motion. Bouncing
+        // Two faces and three corners of a cell's eight features can face a motion. Bouncing
         // changes the direction but not the length, so the longer component grows by at most
         // sqrt(2).
         let bound =

@@ -20,7 +20,7 @@ fn mirrored(v: Vec2) -> Vec2 {
     Vec2::from_raw(-x, y)
 }
 
-/// Time and way. Of a normal there is no promise: two may be as good.
+/// Time and displacement. Normals are not compared, because two may be equally good.
 fn course(hit: Option<CastHit>) -> Option<(u32, Vec2)> {
     hit.map(|hit| (hit.toi.raw(), hit.displacement))
 }

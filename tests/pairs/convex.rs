@@ -1,5 +1,5 @@
-//! Capsules, turned boxes and convex polygons, with each other and with the plain shapes. The exact
-//! judge checks every answer, in both argument orders.
+//! Capsules, oriented boxes and convex polygons, with each other and with the plain shapes. The
+//! exact judge checks every answer, in both argument orders.
 //!
 //! `TILESAT_CASES` sets the number of cases per pair and class (default 2 000; the full run takes
 //! 10 000 000).

@@ -1,4 +1,4 @@
-//! The constructors of capsules, turned boxes and polygons: their refusals, their rounding, and
+//! The constructors of capsules, oriented boxes and polygons: their refusals, their rounding, and
 //! orders that do not matter.
 
 use tilesat::prelude::*;

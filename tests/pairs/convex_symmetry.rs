@@ -64,8 +64,8 @@ fn moved_scenes() {
     });
 }
 
-/// A turned box along x and y is an [`Aabb`](tilesat::Aabb), a capsule without length a circle, one
-/// without radius a segment: the same bits.
+/// An oriented box along x and y is an [`Aabb`](tilesat::Aabb), a capsule without length a circle,
+/// one without radius a segment: the same bits.
 #[test]
 fn plain_shapes_in_other_words() {
     let words = |s: &Shape| match *s {

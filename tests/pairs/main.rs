@@ -26,3 +26,4 @@ mod pictures;
 mod push_out;
 mod random;
 mod symmetry;
+mod vectors;

@@ -1,5 +1,5 @@
 //! Mirrored, transposed, exchanged and moved scenes have mirrored manifolds: as many points, at
-//! mirrored places. All turned boxes and polygons of a small lattice.
+//! mirrored places. All oriented boxes and polygons of a small lattice.
 
 use super::symmetry::MAPS;
 use tilesat_judge::convex::ask;
@@ -130,7 +130,7 @@ fn single_points_are_mirrored_to_a_raw_unit() {
                                 continue;
                             }
                             let ((p, q), (r, s)) = (mapped(here), there);
-                            // Of a few raw units, rounding hides the direction.
+                            // At a few raw units, rounding hides the direction.
                             let slanted = |way: &Point| way.0.abs().max(way.1.abs()) < 4 || (way.0 != 0 && way.1 != 0);
                             let ways = [(q.0 - p.0, q.1 - p.1), (s.0 - r.0, s.1 - r.1)];
                             let slanted = ways.iter().all(slanted);

@@ -1,4 +1,4 @@
-//! Mirrored, exchanged and moved casts are the same, with one exception: where two sides or corners
+//! Mirrored, exchanged and moved casts are equal, with one exception. If two sides or corners
 //! mirror each other at a motion along x or y, the hit is on the one that faces its left.
 
 use super::symmetry::{MAPS, Map};
@@ -76,7 +76,7 @@ fn casts_are_mirrored() {
                     let a = a.moved((k % 5 * 2 * unit - 4 * unit, k / 5 * 2 * unit - 4 * unit));
                     for d in [(8, 0), (-8, 0), (0, 8), (0, -8), (8, 8), (-8, 8), (7, -5), (-3, -9)] {
                         let d = (d.0 * unit, d.1 * unit);
-                        // Of two equal sides, the one along x is hit: transposing changes that.
+                        // If two sides are equal, the one along x is hit: transposing changes that.
                         for (name, map) in &MAPS[..2] {
                             left += u64::from(differ(name, *map, (&a, b), d));
                             count += 1;

@@ -1,5 +1,5 @@
-//! Contacts against the exact judge: the axis is the least exit, the depth its ceiling, the push
-//! ends the overlap and is not too long, the unit normal is within 1.5 units, and (B, A) mirrors
+//! Contacts against the exact judge: the axis is the least exit and the depth its ceiling. The push
+//! ends the overlap and is not too long. The unit normal is within 1.5 units, and (B, A) mirrors
 //! (A, B).
 //!
 //! `TILESAT_CASES` sets the number of cases per pair and class, ten times as many as run here

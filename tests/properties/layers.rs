@@ -152,7 +152,7 @@ fn read_all(folder: &Path, module: &Module, files: &mut BTreeMap<Module, File>) 
     }
 }
 
-/// The file that defines the target of a path, as seen from a file.
+/// The file that defines the target of a path in a file.
 fn defining(files: &BTreeMap<Module, File>, from: &Module, path: &[String], steps: u32) -> Option<Module> {
     let (first, rest) = path.split_first()?;
     let step = steps.checked_sub(1)?;

@@ -248,8 +248,8 @@ fn a_shot_at_a_lift_in_a_level_of_segments() {
     };
     let hit = down(&lift, 40);
     assert_eq!((hit.point, hit.axis, hit.source, hit.flags), (Vec2::from_ints(40, 40), Axis::NEG_Y, 1, 6));
-    assert_eq!(Solids::key_of(hit.cell), Some(65_535));
-    assert_eq!(Solids::key_of(down(&lift, 8).cell), None);
+    assert_eq!((hit.solid(), Solids::key_of(hit.cell)), (Some(65_535), Some(65_535)));
+    assert_eq!(down(&lift, 8).solid(), None);
     // It has moved away after its motion.
     lift[0] = lift[0].with_motion(Vec2::from_ints(20, 0)).unwrap();
     Solid::move_all(&mut lift);

@@ -169,8 +169,8 @@ fn parts_of_games() {
 /// A scene that is read makes steps, and keeps twice the same what it keeps twice.
 fn scenes<B: BroadPhase<Tag = SceneTag> + Copy + Serialize + DeserializeOwned>(near: B) {
     let map = room();
-    // Every place with TILESAT_CASES=7.
-    let step = (7 / cases(1_usize)).max(1);
+    // Every place with TILESAT_CASES=20.
+    let step = (20 / cases(1_usize)).max(1);
     for (seed, frames) in [(3, 26), (5, 400)] {
         both(&scene(near, seed, frames), step, |mut it: Scene<B, BODIES>| {
             check(&it);

@@ -244,6 +244,7 @@ fn slides_down_walls_and_jumps_off_them() {
             let y = hero.body().min().y;
             assert!(hero.step(&level, toward).unwrap().wall);
             assert_eq!(hero.body().min().y - y, 1);
+            assert_eq!(hero.wall(), Some(Axis::new(-side, 0)));
         }
         // Without running against it, it falls.
         let mut falls = hero;
@@ -254,11 +255,14 @@ fn slides_down_walls_and_jumps_off_them() {
             for _ in 1..late {
                 let _ = hero.step(&level, NOTHING).unwrap();
             }
+            let wall = hero.wall();
             let step = hero.step(&level, JUMP).unwrap();
             let jumps = late <= feel.coyote + 1;
             assert_eq!(step.jumped, jumps, "{late}");
+            assert_eq!(wall, jumps.then_some(Axis::new(-side, 0)), "it is told while it can be used");
             if jumps {
                 assert_eq!(hero.velocity, Vec2::new(fx!(-3) * Fx::from_num(side), -feel.jump));
+                assert_eq!(hero.wall(), None, "it has jumped off it");
             }
         }
         // Without the option there is no such jump.

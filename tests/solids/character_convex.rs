@@ -1,5 +1,6 @@
-//! The hero among convex solids, in one call per frame: among boxes as among plain ones, to the
-//! bit; on sloped lifts and turning planks never in a solid, and carried as exactly as they move.
+//! The hero among convex solids, in one call per frame. Convex boxes give the bits of plain ones.
+//! On sloped lifts and turning planks, the hero is never in a solid, and is carried as exactly as
+//! they move.
 
 use tilesat::world::ConvexSolid;
 use tilesat::{Aabb, Axis, Character, Circle, Feel, Fx, Input, OrientedBox, Outcome, Solid, TileMap, Vec2, fx};

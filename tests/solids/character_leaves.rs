@@ -4,8 +4,8 @@ use super::character::{JUMP, KINDS, NOTHING, boxed, limits};
 use tilesat::motion::OnLeave;
 use tilesat::{Character, Feel, Fx, Input, Solid, TileMap, Vec2, fx};
 
-/// Off a lift by a jump, with the button held: the velocity and the way of each frame, as seen from
-/// the level.
+/// Off a lift by a jump, with the button held: the velocity and the displacement of each frame,
+/// relative to the level.
 fn flight(motion: Vec2, on_leave: OnLeave, run: Fx) -> Vec<(Vec2, Vec2)> {
     let level = TileMap::from_ascii("   \n", &KINDS).unwrap();
     let mut lift = [Solid::new(boxed(-200, 24, 400, 8), 7).unwrap()];
@@ -48,7 +48,7 @@ fn the_motion_of_a_lift_is_kept_or_added_once() {
     }
 }
 
-/// Back on the lift, the velocity is seen from there again: over the level it does not change.
+/// Back on the lift, the velocity is relative to it again: over the level it does not change.
 #[test]
 fn a_hero_that_lands_on_its_lift_keeps_its_speed_over_the_level() {
     for on_leave in [OnLeave::Keep, OnLeave::Add, OnLeave::AddUpward] {

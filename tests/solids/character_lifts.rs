@@ -240,7 +240,7 @@ fn several_characters_ride_in_three_steps_as_one_does_in_one() {
         assert_eq!((as_array, moved, steps), (heroes, lifts, [step; 2]), "{frame}");
     }
     assert!(jumps >= 3);
-    // Of a refused call, the solids alone have moved.
+    // After a refused call, only the solids have moved.
     let (mut refused, mut moved) = (heroes, lifts.map(|lift| lift.with_motion(Vec2::from_ints(0, 1)).unwrap()));
     let inputs = [NOTHING, Input { run: Fx::MAX, ..NOTHING }];
     refused[1].feel.acceleration = Fx::MAX;
@@ -253,8 +253,8 @@ fn several_characters_ride_in_three_steps_as_one_does_in_one() {
     assert_eq!(one, before[1]);
 }
 
-/// Of several, each is moved as it is alone: in other places, by other inputs, also down through a
-/// lift, and squashed.
+/// Each of several characters is moved as a single one is: in other places, by other inputs, also
+/// down through a lift, and squashed.
 #[test]
 fn several_characters_do_not_affect_each_other() {
     let rows = "##########\n          \n          \n          \n          \n          \n##########";

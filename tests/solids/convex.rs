@@ -89,7 +89,7 @@ fn boxes_are_boxes() {
             let two = MOVER.ride_convex(&level, &convex, &body, follow).unwrap();
             let case = format!("{body:?}\n{list:?}\n{one:?}\n{two:?}");
             let inside = list.iter().any(|s| s.shape().overlaps(&body));
-            // Of several solids that squash a body either may be named.
+            // If several solids squash a body, either may be named.
             let ride = |r: &Ridden<Aabb>| match r.ride {
                 Ride::Squashed { .. } => None,
                 ride => Some(ride),
@@ -147,8 +147,8 @@ fn no_arm_passes_a_body() {
                 let sum = |of: fn(&(i64, i64)) -> i64| all.iter().map(of).sum::<i64>() / all.len() as i64;
                 (sum(|p| p.0), sum(|p| p.1))
             };
-            // The side of the arm, and whether the body is beside it with all of its size, and not
-            // where the arm's tip is in the middle of the turn only.
+            // The side of the arm on which the body is; `None` if a part of it may be beyond the
+            // arm's tip in the middle of the turn, where the arm is shorter.
             let place = |dir: (i64, i64), c: (i64, i64), size: i64| {
                 let (along, across) = (dir.0 * c.0 + dir.1 * c.1, dir.0 * c.1 - dir.1 * c.0);
                 let length = (dir.0 * dir.0 + dir.1 * dir.1).isqrt() + 1;

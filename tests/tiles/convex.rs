@@ -1,4 +1,4 @@
-//! Capsules, turned boxes and polygons against maps of all shapes.
+//! Capsules, oriented boxes and polygons against maps of all shapes.
 //!
 //! A shape is the union of discs of its radius around the points of its core. If a disc overlaps
 //! the level, so does the shape, by the judge of circles. If the library reports an overlap and no

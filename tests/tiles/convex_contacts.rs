@@ -1,4 +1,4 @@
-//! Which features capsules, turned boxes and polygons overlap, and how they get out: contacts,
+//! Which features capsules, oriented boxes and polygons overlap, and how they get out: contacts,
 //! `escape` and `turn`.
 
 use tilesat::motion::{escape, turn};
@@ -44,8 +44,8 @@ fn contacts(map: &TileMap<'_, AllShapes>, body: &impl Pushable) -> Vec<WorldCont
     out.to_vec()
 }
 
-/// Turned boxes along x and y overlap what plain ones do, as deep and the same way out, but in the
-/// order of rounded depths.
+/// Oriented boxes along x and y overlap what plain ones do, as deep and the same way out, but in
+/// the order of rounded depths.
 #[test]
 fn upright_boxes_are_boxes() {
     let mut random = Random::new(91);

@@ -41,6 +41,39 @@ fn a_level_is_a_constant() {
     assert_eq!(platform.kind(Cell::new(0, -1)), TileKind::EMPTY);
 }
 
+/// The box of each cell holds the points that the grid puts into it, at all sizes and ends of the
+/// domain; no other cell has one.
+#[test]
+fn every_cell_has_its_box() {
+    let last = (1 << 29) - 1;
+    for (cell, (width, height), (x, y)) in [
+        (256, (3, 5), (0, 0)),
+        (1 << 20, (4, 2), (-7, 9)),
+        (1_048_574, (7, 3), (-last, 12_345)),
+        (1 << 24, (31, 1), (last - 31 * (1 << 24), -last)),
+        (256, (32_767, 2), (1 - (1 << 22), last - 512)),
+    ] {
+        let grid = Grid::new(width, height, Fx::from_bits(cell), Vec2::from_raw(x, y)).unwrap();
+        let columns = [0, 1, i32::from(width) / 2, i32::from(width) - 2, i32::from(width) - 1];
+        for column in columns.into_iter().filter(|&column| 0 <= column && column < i32::from(width)) {
+            for row in 0..i32::from(height) {
+                let of = Cell::new(column as i16, row as i16);
+                let bounds = grid.bounds_of(of).unwrap();
+                let (lo, hi) = ((x + column * cell, y + row * cell), (x + column * cell + cell, y + row * cell + cell));
+                assert_eq!((bounds.min().raw(), bounds.max().raw()), (lo, hi), "{grid:?} {of:?}");
+                assert_eq!(Aabb::new(bounds.min(), bounds.max()), Ok(bounds));
+                for (px, py) in [lo, (hi.0 - 1, lo.1), (lo.0, hi.1 - 1), (hi.0 - 1, hi.1 - 1)] {
+                    assert_eq!(grid.cell_at(Vec2::from_raw(px, py)), of);
+                }
+            }
+        }
+        let (w, h) = (width as i16, height as i16);
+        for (x, y) in [(-1, 0), (0, -1), (w, 0), (0, h), (i16::MIN, i16::MIN), (i16::MIN, 0), (i16::MAX, i16::MAX)] {
+            assert_eq!(grid.bounds_of(Cell::new(x, y)), None, "{x} {y}");
+        }
+    }
+}
+
 #[test]
 fn text_that_is_no_level() {
     let refuse = |text| TileMap::from_ascii(text, &KINDS).unwrap_err();

@@ -128,7 +128,7 @@ fn every_tile_and_solid_on_a_trail() {
         static GHOSTS: TileKinds = KINDS.with(2, TileKind::EMPTY.with_flags(2));
         static WALLS: TileKinds = GHOSTS.with(3, TileKind::FULL);
         let (mut trail, seen) = (Trail::default(), map.with_kinds::<Blocks>(&WALLS).unwrap());
-        Mover::new().with_response(Response::Bounce).move_along(&seen, body, d, &mut trail).ok()?;
+        let _ = Mover::new().with_response(Response::Bounce).move_along(&seen, body, d, &mut trail).ok()?;
         Some((trail, map.tiles_on(body, &trail).unwrap().map(|tile| tile.cell).collect()))
     }
     let mut r = Random::new(9);

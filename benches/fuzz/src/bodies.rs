@@ -209,7 +209,7 @@ impl<B: BroadPhase<Tag = SceneTag> + Copy> Stage<B> {
             .iter()
             .flat_map(|a| before.iter().map(move |b| (a, b)))
             .filter(|((a, one), (b, other))| a.slot() < b.slot() && joins(one, other))
-            // Of two sleeping bodies, one may wake in this step and the other in the next.
+            // One of two sleeping bodies may wake in this step and the other in the next.
             .filter(|((a, _), (b, _))| [a, b].iter().any(|body| self.scene.is_awake(**body) == Ok(true)))
             .map(|((a, _), (b, _))| (*a, *b))
             .collect();

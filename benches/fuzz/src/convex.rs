@@ -1,4 +1,4 @@
-//! Capsules, turned boxes and polygons: pairs, moves and turns.
+//! Capsules, oriented boxes and polygons: pairs, moves and turns.
 
 use tilesat::motion::{Moved, turn};
 use tilesat::{Axis, Mover};

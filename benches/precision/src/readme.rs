@@ -1,11 +1,11 @@
-//! The short table, and the text about who is better in which class.
+//! The tables in the documents, and the text about who is better in which class.
 
 use crate::question::{Question, cheapest, is_library, is_right};
 use crate::record::Row;
 use crate::tables::{short, wrapped};
 use std::fmt::Write;
 
-/// The content of the table: the question, and the class whose costs it shows.
+/// The lines of the longer table: the question, and the class whose costs it shows.
 const LINES: [(&str, &str, &str); 12] = [
     ("AABB-AABB", "uniform 50 % hits", "overlaps"),
     ("circle-circle", "uniform 50 % hits", "overlaps"),
@@ -21,7 +21,7 @@ const LINES: [(&str, &str, &str); 12] = [
     ("pairs of boxes", "256 boxes", "pairs"),
 ];
 
-const HEAD: &str = "<!-- precision:begin -->
+const HEAD: &str = "<!-- precision:begin (benches/precision/run.sh writes this) -->
 | | tilesat | textbook f64 | textbook f32 | naive Q16.16 | fastest library that is exact here | fastest of all others | Cortex-M0: tilesat, f32, f64 |
 |---|--:|--:|--:|--:|--:|--:|--:|
 ";
@@ -33,6 +33,57 @@ to 4 px per frame among blocks, or a frame of 256 boxes in coherent motion. A fr
 ends in the solid, even by a little. On x86-64 tilesat uses its feature `libm`, on the Cortex-M0 it
 does not. Textbook boxes look only where they end, if that is exact, else at all that they cross.
 ";
+
+/// The lines of the README's table: a name, then as in [`LINES`].
+const README_LINES: [(&str, &str, &str, &str); 6] = [
+    ("two circles", "circle-circle", "uniform 50 % hits", "overlaps"),
+    ("contact of two circles", "circle-circle", "uniform 50 % hits", "contact"),
+    ("a ray through a platformer's tiles", "rays: platformer 20 %", "generic", "ray"),
+    ("a circle cast at a circle", "cast: circle-circle", "uniform 50 % hits", "cast"),
+    ("a circle moves, a quarter of the cells full", "move: blocks 25 %", "circle up to 4 px", "move"),
+    ("a box moves there", "move: blocks 25 %", "box up to 4 px", "move"),
+];
+
+const README_HEAD: &str = "<!-- exact:begin (benches/precision/run.sh writes this) -->
+| | tilesat | textbook `f64` | textbook `f32` | on a Cortex-M0: tilesat, `f32`, `f64` |
+|---|--:|--:|--:|--:|
+";
+
+/// The table of the README: costs, and errors in the worst class.
+pub fn readme_table(rows: &[Row]) -> String {
+    let mut out = String::from(README_HEAD);
+    for (name, workload, class, asked) in README_LINES {
+        let question = Question { workload, asked };
+        let cells = ["tilesat", "textbook f64", "textbook f32"].map(|backend| {
+            let row = question.best(rows, class, |r| r.backend() == backend)?;
+            let worst = grouped(&short(question.worst(rows, row)?.1));
+            let worst = if worst == "0" && backend == "tilesat" { "**0**".to_owned() } else { worst };
+            Some(format!("{}; {worst}", grouped(&short(row.get("host")?))))
+        });
+        let [ours, f64, f32] = cells.map(|cell| cell.unwrap_or("-".into()));
+        let m0 = on_m0(rows, question, class, ["tilesat", "textbook f32", "textbook f64"]).map(|cell| grouped(&cell));
+        let _ = writeln!(out, "| {name} | {ours} | {f64} | {f32} | {} |", m0.join(", "));
+    }
+    out + "<!-- exact:end -->\n"
+}
+
+/// Groups the digits of a whole number from five on.
+fn grouped(number: &str) -> String {
+    match number.len().checked_sub(3) {
+        Some(at) if at >= 2 && number.bytes().all(|c| c.is_ascii_digit()) => {
+            format!("{} {}", &number[..at], &number[at..])
+        }
+        _ => number.to_owned(),
+    }
+}
+
+/// The costs on a Cortex-M0 of the functions whose costs on a desktop are shown.
+fn on_m0<const N: usize>(rows: &[Row], question: Question<'_>, class: &str, backends: [&str; N]) -> [String; N] {
+    backends.map(|backend| {
+        let row = question.best(rows, class, |r| r.backend() == backend);
+        row.and_then(|r| r.get("m0")).map_or_else(|| "-".to_owned(), short)
+    })
+}
 
 pub fn table(rows: &[Row]) -> String {
     let mut out = String::from(HEAD);
@@ -60,11 +111,7 @@ fn line(out: &mut String, rows: &[Row], question: Question<'_>, class: &str) {
     };
     let library = here(|r| is_library(r.backend()) && is_right(r));
     let any = here(|r| r.backend() != "tilesat");
-    let m0 = ["tilesat", "textbook f32", "textbook f64"].map(|backend| {
-        // The row whose cost on a desktop is shown, so that both costs are of one function.
-        let row = question.best(rows, class, |r| r.backend() == backend);
-        row.and_then(|r| r.get("m0")).map_or_else(|| "-".to_owned(), short)
-    });
+    let m0 = on_m0(rows, question, class, ["tilesat", "textbook f32", "textbook f64"]);
     let name = if crate::question::is_move(question.workload) {
         format!("{}, {}", question.workload, class.split(' ').next().unwrap_or_default())
     } else if question.asked == "pairs" {
@@ -186,6 +233,8 @@ mod tests {
         let table = table(&rows);
         let line = "| circle-circle | 24.0; 0 / 0 | 18.0; 0 / 480 | - | - | 39.0; 0 / 0, Chipmunk2D | 17.0; 3.00 / 3.00, Box2D | 30.5, -, - |";
         assert!(table.contains(line), "{table}");
+        let line = "| two circles | 24.0; **0** | 18.0; 480 | - | 30.5, -, - |";
+        assert!(readme_table(&rows).contains(line), "{}", readme_table(&rows));
         assert!(
             table.contains("circle-circle (far: up to 480)") && table.contains("most classes, 1 with contacts"),
             "{table}"

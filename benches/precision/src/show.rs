@@ -63,7 +63,23 @@ pub fn all(results: &Path) -> Result<(), String> {
         plots(&rows, workload, &folder)?;
     }
     write(&results.with_file_name("results.md"), &page)?;
-    write(&results.with_file_name("readme-table.md"), &readme::table(&rows))
+    // The documents show the reviewed rows, not those of a quick run.
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    if results.canonicalize().ok() == own.join("results.csv").canonicalize().ok() {
+        put(&own.join("../../src/boards.md"), &readme::table(&rows))?;
+        put(&own.join("../../README.md"), &readme::readme_table(&rows))?;
+    }
+    Ok(())
+}
+
+/// Puts a block in place of that with the same marks, which are its first and last lines.
+fn put(document: &Path, block: &str) -> Result<(), String> {
+    let failed = |why: &dyn std::fmt::Display| format!("{}: {why}", document.display());
+    let text = std::fs::read_to_string(document).map_err(|e| failed(&e))?;
+    let (begin, end) = (block.lines().next().unwrap_or_default(), block.lines().last().unwrap_or_default());
+    let parts = text.split_once(begin).and_then(|(before, rest)| Some((before, rest.split_once(end)?.1)));
+    let (before, after) = parts.ok_or_else(|| failed(&format!("no lines \"{begin}\" and \"{end}\"")))?;
+    write(document, &format!("{before}{}{after}", block.trim_end()))
 }
 
 /// The pictures of a workload.

@@ -1,5 +1,5 @@
-//! Pairs of all six shapes, capsules, turned boxes and convex polygons too, in adversarial classes.
-//! The fast judge checks every answer of the library, and the slow judge some.
+//! Pairs of all six shapes, capsules, oriented boxes and convex polygons too, in adversarial
+//! classes. The fast judge checks every answer of the library, and the slow judge some.
 
 use crate::queries::Tally;
 use crate::quick;

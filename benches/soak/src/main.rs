@@ -22,8 +22,8 @@
 //!   `cast_shape` with a motion through, from or to the position. The judge ([`quick`]) answers in
 //!   128-bit integers. The judges of the tests check one pair and cast in 256 as well. They know
 //!   axes, points, positions and the exact floor of the time.
-//! - **Pairs of all six shapes** ([`convex`]), also of capsules, turned boxes and polygons, in ten
-//!   classes, then three times with every number moved by up to a raw unit. It checks the same
+//! - **Pairs of all six shapes** ([`convex`]), also of capsules, oriented boxes and polygons, in
+//!   ten classes, then three times with every number moved by up to a raw unit. It checks the same
 //!   answers, and `overlaps_from` with the hint of the last pair. The 256-bit judge of the tests
 //!   checks one in a thousand, with manifolds and closest points too.
 //! - **Lattices** ([`lattice`]): every pair of triangles or quadrangles of a lattice.

@@ -7,7 +7,7 @@ pub struct Options {
     pub frames: u64,
     pub queries: u64,
     pub levels: u64,
-    /// Of each pair of all six shapes.
+    /// The cases of each pair of all six shapes.
     pub pairs: u64,
     /// Frames of each rest. Zero: no such run.
     pub rest: u64,

@@ -58,7 +58,7 @@ impl Room {
         self.lowest - centre[1]
     }
 
-    /// Of a unit mass.
+    /// The energy of a unit mass.
     pub fn energy(&self, state: &State) -> f64 {
         let [x, y] = state.velocity;
         (x * x + y * y) / 2.0 + self.gravity * self.height(state.centre)

@@ -13,16 +13,16 @@ use crate::shape::Aabb;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Border {
-    /// It belongs to the nearest cell of the border. All answers stay the same, but many bodies
-    /// outside cost as much as many in one cell.
+    /// The body belongs to the nearest cell of the border. All answers stay the same, but many
+    /// bodies outside cost as much as many in one cell.
     #[default]
     Clamp,
-    /// It is refused: [`OutOfWorld`](BroadError::OutOfWorld).
+    /// The body is refused: [`OutOfWorld`](BroadError::OutOfWorld).
     Refuse,
 }
 
-/// Up to N bodies in a grid of square cells, each in the cell of its centre: for hundreds of bodies
-/// in a world of known size.
+/// Up to N bodies in a grid of square cells, each in the cell of its centre. It suits hundreds of
+/// bodies in a world of known size.
 ///
 /// ```text
 ///        columns (a power of two)
@@ -33,17 +33,19 @@ pub enum Border {
 /// rows +----+----+----+----+--
 /// ```
 ///
-/// `BLOCKS` blocks have 32 cells each. A world of 2048 x 1024 units in cells of 32 has 64 columns
-/// and 32 rows: 2048 cells, 64 blocks, as [`blocks_for`](LooseGrid::blocks_for) computes. With
-/// `LARGE`, bodies with longer sides than a cell go into a separate list, and each of them is
-/// tested against all bodies. Without it, they are refused as [`TooLarge`](BroadError::TooLarge).
+/// The grid has `BLOCKS` blocks of 32 cells each. A world of 2048 x 1024 units in cells of 32 has
+/// 64 columns and 32 rows: 2048 cells, 64 blocks, as [`blocks_for`](LooseGrid::blocks_for)
+/// computes. With `LARGE`, bodies with longer sides than a cell go into a separate list, and each
+/// of them is tested against all bodies. Without it, they are refused as
+/// [`TooLarge`](BroadError::TooLarge).
 ///
-/// Cost: an insertion, a removal and a move are O(1); a move within a cell is little more than the
-/// store of the box. For pairs, a body is tested against five lists: the rest of its own cell's
-/// list, and those of half of the neighbours. The worst case is all bodies in one cell: N (N - 1) /
-/// 2 tests, as with [`BruteForce`](crate::broad::BruteForce); `pairs_from` has a budget for that.
-/// Queries look at 32 empty cells at once; rays and casts follow their way. RAM: 6 bytes per body
-/// and 2.125 per cell (68 per block), beside box, tag and the generation's 2 bytes.
+/// Cost: an insertion, a removal and a move are O(1); a move within a cell costs little more than
+/// the store of the box. For pairs, a body is tested against five lists: the rest of its own cell's
+/// list, and those of half of the neighbours. The worst case has all bodies in one cell: N (N - 1)
+/// / 2 tests, as with [`BruteForce`](crate::broad::BruteForce); `pairs_from` has a budget for that.
+/// Queries look at 32 empty cells at once; rays and casts visit only the cells along their path.
+/// RAM: 6 bytes per body and 2.125 per cell (68 per block), beside box, tag and 2 bytes for the
+/// generation.
 ///
 /// ```
 /// use tilesat::broad::{BroadError, BroadPhase, LooseGrid};
@@ -76,11 +78,11 @@ pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: b
 }
 
 impl LooseGrid<1, 1> {
-    /// How many blocks the cells of a world take: all in one unit, whichever it is.
+    /// How many blocks the cells of a world take. All three lengths are in the same unit.
     ///
     /// The columns are `width / cell` rounded up to a power of two of at least 4. The rows are
-    /// `height / cell` rounded up, and a block has 32 cells. Where that is none, as with a `cell`
-    /// of 0, or more than 2047, the compiler refuses such a grid.
+    /// `height / cell` rounded up, and a block has 32 cells. If that is 0, as with a `cell` of 0,
+    /// or more than 2047, the compiler refuses such a grid.
     ///
     /// ```
     /// use tilesat::broad::LooseGrid;
@@ -107,11 +109,11 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
     /// An empty grid, which may be a `static`. Pass the corner with the smallest coordinates, the
     /// side of a cell, and the number of columns.
     ///
-    /// A static one takes as much flash as RAM, for it is not all zero: on a chip, make it when the
-    /// program starts.
+    /// A `static` grid takes as much flash as RAM, because its initial value is not all zeros. On a
+    /// chip, build it when the program starts.
     ///
     /// The side is a power of two of raw units (so of units as well), and the columns are a power
-    /// of two: no index needs a division. The blocks give the number of rows. Bodies outside are
+    /// of two. So no index needs a division. The blocks give the number of rows. Bodies outside are
     /// [clamped](Border::Clamp).
     ///
     /// # Errors
@@ -126,7 +128,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
     /// };
     /// let level = EMPTY; // a copy is a snapshot
     /// assert!(level.is_empty());
-    /// assert!(LooseGrid::<24, 200>::new(Vec2::ZERO, Fx::from_num(24), 32).is_err()); // no power of two
+    /// assert!(LooseGrid::<24, 200>::new(Vec2::ZERO, Fx::from_num(24), 32).is_err()); // not a power of two
     /// ```
     pub const fn new(origin: Vec2, cell: Fx, columns: u16) -> Result<Self, GridError> {
         const { check_blocks(BLOCKS) };
@@ -151,7 +153,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
         })
     }
 
-    /// Sets the rule for bodies outside, from the next insertion or move on.
+    /// Sets the treatment of bodies outside, from the next insertion or move on.
     ///
     /// ```
     /// use tilesat::broad::{Border, BroadError, BroadPhase, LooseGrid};
@@ -173,7 +175,7 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<B
             let (x, y) = bounds.centre().raw();
             return Err(BroadError::OutOfWorld { x, y });
         }
-        // Clamping coordinates to the grid keeps their order and lengthens no difference. So
+        // Clamping coordinates to the grid keeps their order and increases no difference. So
         // neighbours stay neighbours.
         let last = self.rows.last();
         Ok(At { x: at.x.max(0).min(last.x), y: at.y.max(0).min(last.y) })
@@ -234,8 +236,8 @@ impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> InCells for
     #[inline]
     fn neighbours(&self) -> Neighbours {
         // The last cell of a row and the first of the next have adjacent numbers, but are not
-        // neighbours. That only costs tests of boxes that do not touch: at least two cells are
-        // between.
+        // neighbours. That only costs tests of boxes that do not touch: there are at least two
+        // cells between them.
         Neighbours { stride: 1 << self.rows.log_columns(), mask: usize::MAX }
     }
 

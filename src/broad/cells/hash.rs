@@ -11,16 +11,16 @@ use crate::shape::Aabb;
 /// Up to N bodies in an endless grid of square cells, each in the cell of its centre. The cells
 /// share BUCKETS lists.
 ///
-/// For worlds that are much wider than the bodies in them. Cell (x, y) has list `x + K y`, modulo
-/// BUCKETS, a power of two from 64 to 32768. The factor K is such that no two cells of a window of
-/// w x h cells share a list where `(w - 1) (h - 1)` is at most a quarter of the buckets, and w and
-/// h at most all of them. Within a screen nothing collides, and a cell never collides with its
-/// neighbours. Cells that share a list cost tests of boxes; answers stay the same.
+/// It suits worlds that are much larger than the bodies in them. Cell (x, y) has list `x + K y`,
+/// modulo BUCKETS, a power of two from 64 to 32 768. The factor K spreads near cells. No two cells
+/// of a window of w x h cells share a list if `(w - 1) (h - 1)` is at most a quarter of BUCKETS,
+/// and w and h are at most BUCKETS. Within a screen nothing collides, and a cell never collides
+/// with its neighbours. Cells that share a list cost tests of boxes; answers stay the same.
 ///
 /// Bodies with longer sides than a cell are refused as [`TooLarge`](BroadError::TooLarge). With
 /// `LARGE` they go into a separate list, as in a [`LooseGrid`](crate::broad::LooseGrid), which also
 /// documents the costs. Queries of regions look at each cell or at each body, whichever are fewer.
-/// RAM: 6 bytes per body and 2 per bucket, beside box, tag and the generation's 2 bytes.
+/// RAM: 6 bytes per body and 2 per bucket, beside box, tag and 2 bytes for the generation.
 ///
 /// ```
 /// use tilesat::broad::{BroadPhase, SpatialHash};
@@ -48,9 +48,9 @@ pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE
 impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHash<BUCKETS, N, T, LARGE> {
     const FACTOR: u16 = factor(BUCKETS);
 
-    /// An empty broad phase, which may be a `static`, with the side of its cells: a power of two of
-    /// raw units (so of units as well), from 2 raw to 4096 units. Like a
-    /// [`LooseGrid`](crate::broad::LooseGrid::new), a static one takes as much flash as RAM.
+    /// An empty broad phase with the given side of its cells. The side is a power of two of raw
+    /// units (so of units as well), from 2 raw to 4096 units. It may be a `static`, which takes as
+    /// much flash as RAM, like a [`LooseGrid`](crate::broad::LooseGrid::new).
     ///
     /// # Errors
     /// [`GridError::Cell`].
@@ -67,7 +67,7 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHas
         (at.x.wrapping_add(at.y.wrapping_mul(i32::from(Self::FACTOR))) as usize & (BUCKETS - 1)) as u16
     }
 
-    /// The bodies of one cell: others in its list are of other cells.
+    /// The bodies of one cell, without those of other cells in its list.
     #[inline]
     fn bodies_at(&self, at: At, mut each: impl FnMut(usize, &Aabb)) {
         let (bodies, lists) = (self.table.bodies(), self.lists());
@@ -190,7 +190,7 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
 /// Two cells share a list if `x + K y` of their distance (x, y) is a multiple of the buckets B.
 /// Such distances form a lattice; each of these factors is odd (so no two cells of a column of B
 /// share one) and of all factors the one with the largest least `|x y|` among those with neither 0:
-/// at least B / 4. The nearest to B times the golden ratio would do for some B only.
+/// at least B / 4. The nearest to B times the golden ratio would suit only some B.
 const FACTORS: [u16; 10] = [19, 47, 75, 149, 275, 791, 1557, 2431, 6229, 12031];
 
 /// The factor for a number of buckets. The compiler refuses numbers without one.

@@ -1,5 +1,5 @@
-//! Square cells: which one a box belongs to, which ones a region can have to do with, and those
-//! around a cell or along a way.
+//! Square cells: the one to which a box belongs, those that can concern a region, and those around
+//! a cell or along a motion.
 
 use crate::broad::BroadError;
 use crate::num::{DOMAIN, Raw, Toi, Vec2, leading_zeros32};
@@ -8,9 +8,9 @@ use crate::shape::Aabb;
 /// A lattice of cells. A box belongs to the cell of its centre, and no side of it is longer than a
 /// cell.
 ///
-/// So two boxes that touch belong to the same cell or to neighbours: where a whole cell is between
-/// two cells, centres in them are more than a side of a cell apart (a cell has its lower lines and
-/// not its upper ones), and half widths add up to at most that.
+/// So two boxes that touch belong to the same cell or to neighbours. If a whole cell is between two
+/// cells, centres in them are more than a side of a cell apart (a cell has its lower lines and not
+/// its upper ones), and half widths add up to at most that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lattice {
     /// The first corner of cell (0, 0).
@@ -26,8 +26,8 @@ pub struct At {
     pub(in crate::broad) y: i32,
 }
 
-/// Some cells of a row or of a column: from one to another, both included; none where they are in
-/// the wrong order.
+/// Consecutive cells of a row or of a column, both ends included; none if the ends are in the wrong
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct CellRange {
     pub(in crate::broad) lo: i32,
@@ -53,8 +53,8 @@ impl CellRange {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
 
-    /// Both ends moved to the nearest of 0 to `last`. Runs keep their order; those that had
-    /// something of it in them keep that.
+    /// This run with both ends clamped to 0..=`last`. Runs keep their order, and the part that they
+    /// had in that range.
     pub(in crate::broad) fn clamped(self, last: i32) -> Self {
         Self { lo: self.lo.max(0).min(last), hi: self.hi.max(0).min(last) }
     }
@@ -63,14 +63,14 @@ impl CellRange {
         self.lo > self.hi
     }
 
-    /// How many there are, in one that is not empty.
+    /// The number of cells of a run that is not empty.
     pub(in crate::broad) fn len(self) -> u32 {
         self.hi.wrapping_sub(self.lo).wrapping_add(1) as u32
     }
 }
 
 impl Window {
-    /// In one cell.
+    /// The window of one cell.
     pub(in crate::broad) fn of(at: At) -> Self {
         let one = |v| CellRange { lo: v, hi: v };
         Self { x: one(at.x), y: one(at.y) }
@@ -81,8 +81,8 @@ impl Window {
         At { x: self.x.lo, y: self.y.lo }
     }
 
-    /// How many are left of so many cells, less than 2^16, without those of a window; `None` where
-    /// it has more.
+    /// How many of `count` cells, less than 2^16, are left without those of a window; `None` if it
+    /// has more.
     pub(in crate::broad) fn cells_of(&self, all: usize) -> Option<u32> {
         let (all, w, h) = (all as u32, self.x.len(), self.y.len());
         if w > all || h > all { None } else { all.checked_sub(w.wrapping_mul(h)) }
@@ -90,14 +90,14 @@ impl Window {
 }
 
 impl At {
-    /// Whether another cell is at most so many away, along either axis.
+    /// Whether another cell is at most `r` cells away along either axis.
     pub(in crate::broad) fn is_within(self, cells: i32, other: Self) -> bool {
         self.x.abs_diff(other.x).max(self.y.abs_diff(other.y)) as i32 <= cells
     }
 }
 
 impl Lattice {
-    /// `None` where the side is not a power of two from 2 to 2^28.
+    /// `None` if the side is not a power of two from 2 to 2^28.
     pub(in crate::broad) const fn new(origin: Vec2, side: i32) -> Option<Self> {
         if side < 2 || side > DOMAIN / 2 || side & (side - 1) != 0 {
             return None;
@@ -139,7 +139,7 @@ impl Lattice {
     }
 
     /// The cells of all boxes that touch a region: their centres are at most half a cell away from
-    /// it. Boxes are in the domain, so what a region has beyond it does not count.
+    /// it. Boxes are in the domain, so the part of a region beyond it does not count.
     pub(in crate::broad) fn window(&self, lo: Raw, hi: Raw) -> Window {
         let inside = |v: Raw| Raw { x: v.x.clamp(-DOMAIN, DOMAIN), y: v.y.clamp(-DOMAIN, DOMAIN) };
         let (lo, hi) = (self.before(inside(lo)), self.behind(inside(hi)));
@@ -147,13 +147,13 @@ impl Lattice {
         Window { x: run(lo.x, hi.x), y: run(lo.y, hi.y) }
     }
 
-    /// Half a cell before a corner in the domain, as seen from the origin: below 2^30 + 2^28.
+    /// Half a cell before a corner in the domain, relative to the origin: below 2^30 + 2^28.
     pub(in crate::broad) fn before(&self, corner: Raw) -> Raw {
         let half = self.side() >> 1;
         corner.sub(self.origin).sub(Raw { x: half, y: half })
     }
 
-    /// Half a cell behind a corner in the domain, as seen from the origin.
+    /// Half a cell behind a corner in the domain, relative to the origin.
     pub(in crate::broad) fn behind(&self, corner: Raw) -> Raw {
         let half = self.side() >> 1;
         corner.sub(self.origin).add(Raw { x: half, y: half })
@@ -188,7 +188,7 @@ impl CellRows {
         At { x: i32::from(number) & self.last().x, y: i32::from(number) >> self.log_columns() }
     }
 
-    /// Windows of cells beyond the grid become ones of its border, where the bodies beyond it are.
+    /// Clamps a window to the grid, because bodies beyond the grid are in the cells of its border.
     pub(in crate::broad) fn clip(self, window: Window) -> Window {
         let last = self.last();
         Window { x: window.x.clamped(last.x), y: window.y.clamped(last.y) }
@@ -218,9 +218,9 @@ impl CellRows {
     }
 }
 
-/// The cells at distance `r` from a cell (the longer of the two ways along the axes), in up to four
-/// windows: the rows above and below, and the columns at the sides between them. Each cell once;
-/// with `r` = 0 only the first window has one.
+/// The cells at distance `r` from a cell (the longer of the distances along the axes), in up to
+/// four windows: the rows above and below, and the columns at the sides between them. Each cell
+/// once; with `r` = 0 only the first window has one.
 ///
 /// ```text
 ///  1 1 1
@@ -249,13 +249,13 @@ pub(in crate::broad) fn last_ring(centre: At, window: &Window) -> i32 {
 /// At most 2^15 parts: products of two such numbers fit a word.
 const MOST_PARTS: u32 = 15;
 
-/// Gives windows of cells to `each` which together hold the cells of all boxes that a box touches
-/// on its way, every cell once.
+/// Passes windows of cells to `each`. Together they hold the cells of all boxes that a moving box
+/// touches, every cell once.
 ///
-/// The way is cut into 2^k parts, each shorter than a cell if at most 2^15 parts suffice. Both its
-/// ends are in the domain. The cells near a part form a window. All four sides of the windows only
-/// move in the direction of the motion. A cell in two windows is therefore in all windows between
-/// them. So a cell of a window was visited before exactly if it is in the previous window.
+/// The motion is cut into 2^k parts, each shorter than a cell if at most 2^15 parts suffice. Both
+/// its ends are in the domain. The cells near a part form a window. All four sides of the windows
+/// only move in the direction of the motion. A cell in two windows is therefore in all windows
+/// between them. So a cell of a window was visited before exactly if it is in the previous window.
 ///
 /// ```text
 ///  +-----+--+
@@ -267,8 +267,8 @@ const MOST_PARTS: u32 = 15;
 ///        +-----+
 /// ```
 ///
-/// `clip` moves sides of windows into a grid, and must keep their order. `each` answers which part
-/// of the way still matters: bodies that are touched only later do not come any more.
+/// `clip` clamps sides of windows to a grid, and must keep their order. `each` returns which part
+/// of the motion still matters. Bodies that are touched only later are left out.
 #[inline]
 pub(in crate::broad) fn along(
     lattice: &Lattice,
@@ -295,8 +295,8 @@ pub(in crate::broad) fn along(
     }
 }
 
-/// One axis of a way: where the nearest cells begin and end at its start, and how far it is there
-/// and now.
+/// One axis of a motion: where the nearest cells begin and end at its start, and how far it is
+/// there and now.
 struct Edges {
     lo: i32,
     hi: i32,
@@ -306,11 +306,11 @@ struct Edges {
 
 impl Edges {
     fn new(lo: i32, hi: i32, motion: i32) -> Self {
-        // Ends of parts are rounded down: the way itself is less than a unit beyond.
+        // Ends of parts are rounded down: the motion itself is less than a unit beyond.
         Self { lo, hi: hi.wrapping_add(1), motion, at: 0 }
     }
 
-    /// The cells near a part of the way: from `i` to `i + 1`, of 2^log.
+    /// The cells near a part of the motion: from `i` to `i + 1`, of 2^log.
     fn part(&mut self, i: u32, log: u32, log_cell: u32) -> CellRange {
         // Rounded down, and all of it in the end. The rest is below 2^log.
         let (i, rest) = (i + 1, self.motion as u32 & ((1 << log) - 1));
@@ -321,21 +321,21 @@ impl Edges {
     }
 }
 
-/// Whether a way passes fewer cells than there are bodies; else it is better to look at all of
-/// them. A part moves the sides by about a cell.
+/// Whether a motion passes fewer cells than there are bodies. Otherwise it is better to look at all
+/// of them. A part moves the sides by about a cell.
 pub(in crate::broad) fn is_short(lattice: &Lattice, start: &Aabb, motion: Raw, bodies: usize) -> bool {
     let first = lattice.window(start.lo(), start.hi());
     let part = first.x.len().saturating_add(first.y.len());
     first.cells_of(bodies).is_some_and(|left| part <= left >> log_parts(lattice, motion))
 }
 
-/// How many times the way is halved.
+/// How many times the motion is halved.
 fn log_parts(lattice: &Lattice, motion: Raw) -> u32 {
     let most = motion.x.unsigned_abs() | motion.y.unsigned_abs();
     (32 - leading_zeros32(most)).saturating_sub(lattice.log()).min(MOST_PARTS)
 }
 
-/// The cells of a window that the one before did not have: whole rows, and the rest of the other
+/// The cells of a window that are not in the one before: whole rows, and the rest of the other
 /// rows.
 fn fresh(now: Window, before: Option<Window>) -> [Window; 2] {
     const NONE: CellRange = CellRange { lo: 0, hi: -1 };
@@ -343,7 +343,7 @@ fn fresh(now: Window, before: Option<Window>) -> [Window; 2] {
     [Window { x: now.x, y: beyond(now.y, before.y) }, Window { x: beyond(now.x, before.x), y: now.y.and(before.y) }]
 }
 
-/// The part of a run that another has not, which is at one of its sides.
+/// The part of a run that another one does not have, which is at one of its sides.
 fn beyond(now: CellRange, before: CellRange) -> CellRange {
     if now.hi > before.hi {
         CellRange { lo: now.lo.max(before.hi + 1), hi: now.hi }

@@ -1,9 +1,9 @@
 //! Lists of the bodies of each cell, in arrays, and all pairs of bodies in them. 6 bytes per body,
 //! 2 per cell, and one bit per cell: whether it has bodies.
 //!
-//! The bodies of a cell are tested against five lists: what follows them in their own, and the
-//! whole lists of half of the eight neighbours. Of two neighbours one has the other in its half, so
-//! every pair is met once.
+//! The bodies of a cell are tested against five lists: the rest of their own list, and the whole
+//! lists of half of the eight neighbours. One of two neighbours has the other in its half, so every
+//! pair is met once.
 //!
 //! ```text
 //!  .  .  .       0: its own, from the body on
@@ -28,7 +28,7 @@ pub(in crate::broad) struct Links<const N: usize> {
 /// Lists, for reading.
 #[derive(Clone, Copy, Debug)]
 pub struct Lists<'a> {
-    /// Nothing where cells are not marked.
+    /// Empty if cells are not marked.
     pub(in crate::broad) occupied: &'a [u32],
     pub(in crate::broad) heads: &'a [u16],
     pub(in crate::broad) next: &'a [u16],
@@ -48,7 +48,7 @@ pub struct ListsMut<'a> {
 }
 
 impl<const N: usize> Links<N> {
-    /// A free slot is not in the cell NIL: it would be tested as a large body.
+    /// A free slot must not have the cell NIL, or it would be tested as a large body.
     pub(in crate::broad) const fn new() -> Self {
         Self { next: [NIL; N], prev: [NIL; N], cell: [0; N], large: NIL }
     }
@@ -78,7 +78,7 @@ impl<const N: usize> Links<N> {
 }
 
 impl<'a> Lists<'a> {
-    /// The cell of a body; what a removed one had, until its slot is forgotten or taken again.
+    /// The cell of a body. A removed body keeps it until its slot is forgotten or taken again.
     #[inline]
     pub(in crate::broad) fn cell_of(&self, slot: usize) -> u16 {
         self.cell.get(slot).copied().unwrap_or(NIL)
@@ -96,16 +96,15 @@ impl<'a> Lists<'a> {
         self.heads.get(cell).copied().unwrap_or(NIL)
     }
 
-    /// A list from its first body on: that one, and the next.
+    /// A list from a first body on: that body, and those after it.
     #[inline]
     pub(in crate::broad) fn begin(&self, first: u16) -> (usize, usize, usize) {
         let first = usize::from(first);
         (first, 0, usize::from(self.next.get(first).copied().unwrap_or(NIL)))
     }
 
-    /// The bodies of a list, from its first on. Lists have no circles: the next of a body in the
-    /// lists is in them, and a removed one keeps the next that it had, which was removed later if
-    /// at all.
+    /// The bodies of a list, from its first on. Lists have no cycles: the next of a body in a list
+    /// is in it, and a removed body keeps its next one, which was removed later if at all.
     #[inline]
     pub(in crate::broad) fn from(&self, first: u16) -> impl Iterator<Item = usize> + use<'a> {
         let (next, mut body) = (self.next, first);
@@ -122,7 +121,7 @@ impl ListsMut<'_> {
         if cell == NIL { Some(self.large) } else { self.heads.get_mut(usize::from(cell)) }
     }
 
-    /// Says whether a cell has bodies; nothing for NIL, which is beyond all.
+    /// Marks whether a cell has bodies. Does nothing for NIL, which is beyond all cells.
     fn mark(&mut self, cell: u16, occupied: bool) {
         if let Some(word) = self.occupied.get_mut(usize::from(cell >> 5)) {
             let bit = 1 << (cell & 31);
@@ -141,7 +140,7 @@ impl ListsMut<'_> {
         self.mark(cell, true);
     }
 
-    /// Takes a body out of its list. Its own links stay: an enumeration may stand there.
+    /// Takes a body out of its list. Its own links stay, because an enumeration may be there.
     pub(in crate::broad) fn unlink(&mut self, slot: usize) {
         let of = |links: &[u16]| links.get(slot).copied().unwrap_or(NIL);
         let (next, prev, cell) = (of(self.next), of(self.prev), of(self.cell));
@@ -154,7 +153,7 @@ impl ListsMut<'_> {
         set(self.prev, usize::from(next), prev);
     }
 
-    /// Clears the links of a free slot: it is as one that was never taken.
+    /// Clears the links of a free slot, which is then like one that was never taken.
     pub(in crate::broad) fn forget(&mut self, slot: usize) {
         set(self.next, slot, NIL);
         set(self.prev, slot, NIL);
@@ -169,12 +168,12 @@ fn set(links: &mut [u16], slot: usize, to: u16) {
     }
 }
 
-/// How neighbours of a cell are named.
+/// How neighbours of a cell are numbered.
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbours {
     /// From a cell to the one in the next row.
     pub(in crate::broad) stride: usize,
-    /// Bits of a name that count.
+    /// The bits of a number that count.
     pub(in crate::broad) mask: usize,
 }
 
@@ -193,8 +192,8 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
     /// The cursor: `row` is the cell; `a` the body, `lane` one more than the list it is tested
     /// against, and `b` the next body there; with `lane` 0 the cell was not begun.
     ///
-    /// A body that was removed touches nothing, wherever the cursor stands, and what followed it in
-    /// its list is still reached from it.
+    /// A removed body touches nothing, wherever the cursor is, and the bodies after it in its list
+    /// are still reached from it.
     #[inline(always)]
     pub(in crate::broad) fn in_cells(&mut self, near: Neighbours, cursor: &mut PairCursor) -> Result<(), PairsError> {
         let first = usize::from(cursor.row);
@@ -233,7 +232,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         (mut i, mut lane, mut from): (usize, usize, usize),
     ) -> Result<(), LaneStop> {
         let bounds = self.bodies.bounds;
-        // As long as the boxes: one comparison is enough for both.
+        // As long as the boxes, so one comparison is enough for both.
         let Some(next) = self.lists.next.get(..bounds.len()) else { return Ok(()) };
         let head = |step| self.lists.head((cell + step) & near.mask);
         // The three cells of the next row are adjacent in memory, except for a few at the end.
@@ -243,7 +242,7 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
             None => [head(near.stride - 1), head(near.stride), head(near.stride + 1)],
         };
         let neighbours = [NIL, head(1), left, middle, right];
-        // NIL, the end of a list, is the slot of none.
+        // NIL, the end of a list, is no slot.
         while let (Some(a), Some(&after)) = (bounds.get(i), next.get(i)) {
             loop {
                 while let (Some(b), Some(&then)) = (bounds.get(from), next.get(from)) {
@@ -272,8 +271,8 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         self.bodies.pair(i, j).is_none_or(&mut self.each)
     }
 
-    /// Each body that is too large for a cell against all others, two of a kind once. The cursor:
-    /// `a` is the body, `b` how many are done.
+    /// Each body that is too large for a cell against all others; two large bodies once. The
+    /// cursor: `a` is the body, `b` how many are done.
     pub(in crate::broad) fn large_ones(&mut self, cursor: &mut PairCursor) -> Result<(), PairsError> {
         let mut done = usize::from(cursor.b);
         let all = self.bodies.bounds.iter().zip(self.lists.cell).enumerate();

@@ -1,4 +1,4 @@
-//! Bodies in square cells, of a grid with borders or of a world without: what both do the same.
+//! Bodies in square cells: the common part of a bounded grid and an unbounded world.
 
 mod grid;
 mod hash;
@@ -21,10 +21,10 @@ use lists::{CELLS_DONE, Lists, ListsMut, Neighbours, PairWalk};
 
 /// Lists of bodies by the cells of their centres, and one of those that are too large for a cell.
 pub trait InCells: HasTable {
-    /// Whether bodies that are too large for a cell are taken.
+    /// Whether bodies that are too large for a cell are accepted.
     const LARGE: bool;
 
-    /// Whether rings of cells have no end: then there may be more cells than bodies.
+    /// Whether rings of cells have no end, so there may be more cells than bodies.
     const ENDLESS: bool;
 
     fn lattice(&self) -> &Lattice;
@@ -42,10 +42,10 @@ pub trait InCells: HasTable {
     /// The data that a move of all bodies touches.
     fn moving(&mut self) -> Moving<'_, Self::Tag, impl Fn(u16, &Aabb) -> bool>;
 
-    /// How the lists of neighbours are named.
+    /// How the lists of neighbours are numbered.
     fn neighbours(&self) -> Neighbours;
 
-    /// A window of cells, of which those that are beyond become ones that stand for them.
+    /// A window of cells, clamped to the cells that stand for those beyond.
     fn clip(&self, window: Window) -> Window;
 
     /// The bodies of a window of cells.
@@ -54,8 +54,8 @@ pub trait InCells: HasTable {
     /// See [`Spatial::visit`].
     fn touching(&self, region: &Aabb, each: impl FnMut(usize));
 
-    /// All bodies of cells that are in no ring before ring `r` around a cell; asked only where
-    /// rings have no end.
+    /// All bodies of cells that are in no ring before ring `r` around a cell; called only if rings
+    /// have no end.
     fn rest(&self, r: i32, centre: At, each: impl FnMut(usize));
 }
 

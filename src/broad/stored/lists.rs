@@ -1,6 +1,6 @@
 //! Pairs of the last frame, and pairs that are ignored: each once, in ascending order.
 
-use crate::broad::events::{EventEntry, FrameState, Mark, Term, sorted};
+use crate::broad::events::{FrameState, Listed, Mark, Term, sorted};
 use crate::broad::{Exceptions, Pair, PairEvents};
 use crate::stored::{StoredForm, Version, Wrong, ensure, stored};
 use heapless::Vec;
@@ -20,16 +20,16 @@ struct Ignored<const M: usize> {
     pairs: Vec<(Pair, Term), M>,
 }
 
-fn listed<K: Copy, V: Copy, const M: usize>(entries: &[EventEntry<K, V>; M]) -> Vec<(K, V), M> {
+fn listed<K: Copy, V: Copy, const M: usize>(entries: &[Listed<K, V>; M]) -> Vec<(K, V), M> {
     entries.iter().map_while(|entry| entry.0).collect()
 }
 
-fn entries<K: Copy + Ord, V: Copy, const M: usize>(pairs: &Vec<(K, V), M>) -> Result<[EventEntry<K, V>; M], Wrong> {
-    let mut entries = [EventEntry(None); M];
+fn entries<K: Copy + Ord, V: Copy, const M: usize>(pairs: &Vec<(K, V), M>) -> Result<[Listed<K, V>; M], Wrong> {
+    let mut entries = [Listed(None); M];
     let mut last = None;
     for (at, (place, &(key, value))) in entries.iter_mut().zip(pairs).enumerate() {
         ensure(last < Some(key), at, "the pairs of the list are not in ascending order")?;
-        (*place, last) = (EventEntry(Some((key, value))), Some(key));
+        (*place, last) = (Listed(Some((key, value))), Some(key));
     }
     Ok(entries)
 }

@@ -10,7 +10,7 @@ use crate::num::{DOMAIN, Raw, Vec2, check_motion, mul_div};
 ///
 /// ```
 /// use tilesat::{Vec2, motion::{Acceleration, Carry}};
-/// // A third of a raw unit a frame, downward: slow motion, or dust.
+/// // A third of a raw unit per frame, downward: slow motion, or dust.
 /// const GRAVITY: Acceleration = Acceleration::new(Vec2::from_raw(0, 100), 300).unwrap();
 /// let (mut v, mut carry) = (Vec2::ZERO, Carry::ZERO);
 /// for _ in 0..30_000 {

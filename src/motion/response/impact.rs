@@ -21,7 +21,7 @@ pub struct Split {
 /// The normal part is rounded to nearest (halves toward zero), and the tangent is the rest. Both
 /// are within half a raw unit of the exact parts, and their sum is `v`. Exact at normals along x
 /// and y. A zero normal puts everything into the tangent. The [`length`](Vec2::length) of the
-/// normal part says how hard the impact was. Mirrored input gives mirrored bits. Cost: two long
+/// normal part is the speed of the impact. Mirrored input gives mirrored bits. Cost: two long
 /// divisions, about 1730 instructions on a Cortex-M0.
 ///
 /// ```
@@ -94,7 +94,7 @@ pub fn respond(v: Vec2, normal: Axis, restitution: Ratio, friction: Ratio) -> Re
     Surface::new(restitution, friction).respond(v, normal)
 }
 
-/// The masses of two bodies in lowest terms, or which of the two cannot be moved.
+/// The masses of two bodies in lowest terms, or which of the two is fixed.
 ///
 /// ```
 /// use tilesat::{Ratio, motion::response::Masses};
@@ -115,7 +115,7 @@ pub struct Masses {
 impl Masses {
     /// Two bodies of equal mass.
     pub const EQUAL: Self = Self { a: 1, b: 1 };
-    /// Nothing moves A: it is a wall, a platform, a body asleep.
+    /// Nothing moves A, because it is a wall, a platform or a sleeping body.
     pub const A_FIXED: Self = Self { a: 0, b: 1 };
     /// Nothing moves B.
     pub const B_FIXED: Self = Self { a: 1, b: 0 };
@@ -142,7 +142,7 @@ impl Masses {
         Some(Self { a: quotient(b, m), b: quotient(a, m) })
     }
 
-    /// The same with A and B exchanged.
+    /// These masses with A and B exchanged.
     #[must_use]
     pub const fn swapped(self) -> Self {
         Self { a: self.b, b: self.a }
@@ -212,27 +212,28 @@ pub const fn separate(contact: &Contact, share_of_a: Ratio) -> (Vec2, Vec2) {
 /// The velocities of A and B after they have met with the `normal` from A to B ([`Contact::axis`]).
 /// They are unchanged if the bodies do not approach.
 ///
-/// The velocity of A as seen from B changes as in [`Surface::respond`]. The masses share that
-/// change in whole steps: one step changes A by the mass of B and B by the mass of A, in raw units
-/// and lowest terms. So, exactly:
+/// The velocity of A relative to B changes as in [`Surface::respond`]. The masses share that change
+/// in whole steps. One step changes A by the mass of B and B by the mass of A, in raw units and
+/// lowest terms. So, exactly:
 ///
 /// - **momentum** along x and along y stays the same (of bodies that are not fixed);
-/// - **energy**, mass times speed squared, never grows (seen from the fixed body, if one is fixed);
+/// - **energy**, mass times speed squared, never grows (relative to the fixed body, if one is
+///   fixed);
 /// - they no longer approach.
 ///
-/// The price is a rounding of the relative velocity: by up to twice the sum of the masses, in raw
-/// units and lowest terms (the sum is 2 for equal masses). A contact slower than that may have no
-/// such answer and is then left unchanged. The result does not depend on which of the two is A, and
-/// mirrored input gives mirrored bits.
+/// The price is a rounding of the relative velocity. It is up to twice the sum of the masses, in
+/// raw units and lowest terms (the sum is 2 for equal masses). A contact slower than that may have
+/// no such answer and is then left unchanged. The result does not depend on which of the two is A,
+/// and mirrored input gives mirrored bits.
 ///
-/// Cost: about 1140 instructions on a Cortex-M0 along x and y, 4500 elsewhere.
+/// Cost: about 1140 instructions on a Cortex-M0 along x and y, 4500 for other normals.
 ///
 /// ```
 /// use tilesat::{Axis, Ratio, Surface, Vec2, motion::response::{Masses, exchange}};
 /// let (a, b) = (Vec2::from_ints(6, 1), Vec2::from_ints(-2, 0));
 /// // Equal masses without loss exchange what they have along the normal.
 /// assert_eq!(exchange(a, b, Axis::X, Masses::EQUAL, &Surface::ELASTIC)?, (Vec2::from_ints(-2, 1), Vec2::from_ints(6, 0)));
-/// // A weighs three times as much, and both go on as one.
+/// // A weighs three times as much, and both continue as one.
 /// let clay = Masses::new(3, 1).unwrap();
 /// assert_eq!(exchange(a, b, Axis::X, clay, &Surface::SLICK)?, (Vec2::from_ints(4, 1), Vec2::from_ints(4, 0)));
 /// # Ok::<(), tilesat::RangeError>(())
@@ -246,8 +247,8 @@ pub fn exchange(a: Vec2, b: Vec2, normal: Axis, masses: Masses, surface: &Surfac
     let (a, b) = (Raw::of(a), Raw::of(b));
     let (step_a, step_b) = masses.steps();
     let step = step_a.wrapping_add(step_b);
-    // B as seen from A, which moves against the normal. A as seen from B would need the reversed
-    // normal, and of `i32::MIN` there is no opposite. Each below 2^29.
+    // B relative to A, which moves against the normal. A relative to B would need the reversed
+    // normal, and `i32::MIN` has no opposite. Each is below 2^29.
     let before = b.sub(a);
     let restitution = if surface.stops(before, normal) { Ratio::ZERO } else { surface.restitution() };
     let ideal = reply(before, normal, &Rule { restitution, friction: surface.friction(), reference: before.len2() });

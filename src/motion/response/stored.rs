@@ -1,4 +1,4 @@
-//! What a game keeps for responses: surfaces, sticks, masses, gravity in parts.
+//! The saved values of responses: surfaces, sticks, masses, gravity in parts.
 
 use super::acceleration::{Acceleration, Carry};
 use super::impact::Masses;
@@ -55,7 +55,7 @@ impl StoredForm<Stick> for Rod {
     }
 }
 
-/// What each of the two velocities changes by, in lowest terms.
+/// The change of each of the two velocities, in lowest terms.
 #[derive(Serialize, Deserialize)]
 struct Terms {
     a: u8,
@@ -80,7 +80,7 @@ impl StoredForm<Masses> for Terms {
     }
 }
 
-/// The change in every so many frames.
+/// The change in every `frames` frames.
 #[derive(Serialize, Deserialize)]
 struct Change {
     by: Vec2,

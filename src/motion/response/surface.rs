@@ -18,7 +18,7 @@ use crate::num::{
 /// ```
 ///
 /// - **Restitution** acts in [`Response::Bounce`](crate::motion::Response::Bounce): 0 is a slide,
-///   1 loses nothing.
+///   and 1 loses nothing.
 /// - **Friction** (Coulomb's) acts in `Bounce`, `Slide` and `DropThrough`. A body rests on a slope
 ///   with a tangent of at most the friction, exactly and for ever, and slides down a steeper one.
 /// - **Rest**: a bounce slower than [`resting_below`](Self::resting_below) is a slide. Without it
@@ -45,7 +45,7 @@ pub struct Surface {
 
 impl Surface {
     /// A surface without bounce and friction: it stops bodies that run into it, and lets them slide
-    /// along.
+    /// along it.
     pub const SLICK: Self = Self::new(Ratio::ZERO, Ratio::ZERO);
     /// A surface that returns the whole speed.
     pub const ELASTIC: Self = Self::new(Ratio::ONE, Ratio::ZERO);
@@ -56,23 +56,22 @@ impl Surface {
         Self { restitution, friction, speed: None, rest: 0 }
     }
 
-    /// The same surface, on which a body slides instead of bouncing if it hits with at most this
-    /// speed along the normal (units per call; a negative one is zero).
+    /// Sets the slowest bounce. A body that hits with at most this speed along the normal slides
+    /// instead (in units per call; a negative speed counts as zero).
     ///
     /// A call that bounces applies its whole gravity `g`, whenever in the call the bounce is. A
-    /// bounce faster than `g / (1 - restitution)` still loses energy. A slower one may regain as
-    /// much as it loses, and go on for ever. With at least that speed here, a ball that bounces
-    /// lower and lower comes to rest: twice the gravity at restitution one half.
+    /// bounce faster than `g / (1 - restitution)` still loses energy. A slower bounce may regain as
+    /// much as it loses, and bounce for ever. With at least that speed here, a ball that bounces
+    /// lower and lower stops: with twice the gravity, at restitution one half.
     #[must_use]
     pub const fn resting_below(self, normal_speed: Fx) -> Self {
         let raw = normal_speed.to_bits();
         Self { rest: if raw < 0 { 0 } else { raw as u32 }, ..self }
     }
 
-    /// The same surface, resting below at least twice a gravity if it bounces. A ball that bounces
-    /// in every call meets the floor with `g / (1 + restitution)` and ends each call above it,
-    /// though it no longer moves. Up to a restitution of one half, this is the only way to go on
-    /// for ever.
+    /// This surface, resting below at least twice a gravity if it bounces. A ball that bounces in
+    /// every call meets the floor with `g / (1 + restitution)` and ends each call above it, though
+    /// it no longer moves. Up to a restitution of one half, no other motion lasts for ever.
     pub(crate) fn resting_under(self, gravity: Vec2) -> Self {
         let (x, y) = gravity.raw();
         let most = if self.restitution == Ratio::ZERO {
@@ -83,8 +82,8 @@ impl Surface {
         Self { rest: self.rest.max(most), ..self }
     }
 
-    /// The same surface for a body that should have this speed. Bounces at restitution 1 without
-    /// friction set the body to it, up or down.
+    /// Sets the speed that a body should have. Bounces at restitution 1 without friction restore
+    /// it, up or down.
     #[must_use]
     pub const fn with_speed(self, speed: Speed) -> Self {
         Self { speed: Some(speed), ..self }
@@ -107,8 +106,9 @@ impl Surface {
     ///
     /// At normals along x or y only the products with the ratios are rounded, toward rest. They are
     /// exact at restitution 0 and 1 without friction. Elsewhere each component is within 2 raw of
-    /// the exact one. Never into the surface, never faster than `v` (or than the [`Speed`]), both
-    /// exactly. Mirrored input gives mirrored bits. The normal may have any length.
+    /// the exact one. The result is never into the surface and never faster than `v` (or than the
+    /// [`Speed`]), both exactly. Mirrored input gives mirrored bits. The normal may have any
+    /// length.
     ///
     /// Cost: about 300 instructions on a Cortex-M0 along x and y, 550 with friction. Elsewhere two
     /// to four long divisions: 3000 and 3400.
@@ -131,8 +131,8 @@ impl Surface {
     /// Whether a hit is a slide: nothing comes back, or `v` is too slow along the normal to bounce:
     /// |v.n| <= rest |n|, exactly.
     ///
-    /// A slide sees all surfaces that the body touches. By one reply per hit, a body in a V goes up
-    /// one side and down the other for ever.
+    /// A slide considers all surfaces that the body touches. With one reply per hit, a body in a V
+    /// would move up one side and down the other for ever.
     pub(in crate::motion) fn stops(&self, v: Raw, n: Axis) -> bool {
         if self.restitution == Ratio::ZERO {
             return true;
@@ -141,8 +141,8 @@ impl Surface {
         self.rest != 0 && !less128(mul64(usqr(self.rest), n.length_squared()), sqr64(along))
     }
 
-    /// A speed along a bend of a radius, less the friction of turning the velocity on the `way`: a
-    /// part of speed times way divided by radius.
+    /// A speed along a bend of a radius, less the friction of turning the velocity over the path
+    /// `way`: a part of `speed * way / radius`.
     pub(in crate::motion) fn turned(&self, speed: u32, way: Raw, radius: i32) -> u32 {
         let turn = mul_div(speed, isqrt64_ceil(way.len2()), radius.unsigned_abs());
         speed.saturating_sub(self.friction.of_wide_up(turn.into()) as u32)
@@ -162,14 +162,14 @@ impl crate::world::sealed::Sealed for Surface {}
 /// the first.
 ///
 /// A lattice holds no vector of exactly the right length in a new direction. Each askew bounce is
-/// therefore slower by up to a raw unit, and a velocity that is mirrored again and again loses all
-/// of that. If this reference renews its length, it is never slower than by the last bounce's
-/// rounding. Plain data: keep one beside the velocity.
+/// therefore slower by up to a raw unit, and repeated bounces add up. If this reference renews its
+/// length, it is never slower than by the last bounce's rounding. Plain data: keep one beside the
+/// velocity.
 ///
-/// - Free flight and bounces at restitution one leave the reference as it is.
+/// - Free flight and bounces at restitution one do not change the reference.
 /// - A change of the velocity by the game (a jump, a brake, a frame's gravity) changes the
-///   reference by as much: [`changed`](Self::changed).
-/// - After friction, or a bounce that should lose speed, take that of the new velocity:
+///   reference by the same amount: [`changed`](Self::changed).
+/// - After friction, or a bounce that should lose speed, use the speed of the new velocity:
 ///   [`of`](Self::of).
 /// - Under gravity, [`Energy::speed`](super::Energy::speed) returns it for each position.
 ///
@@ -226,7 +226,7 @@ impl Speed {
     /// vector that is neither. Each component is within 2 raw of the exact one. The result is
     /// slower than the reference by less than 2 raw, and never faster. Mirrored input gives
     /// mirrored bits. Cost: two long divisions and three roots, about 4460 instructions on a
-    /// Cortex-M0; a few along x and y.
+    /// Cortex-M0; only a few along x and y.
     ///
     /// # Errors
     /// [`RangeError`] if a component of `v` is outside of the [domain](crate::num::DOMAIN).
@@ -254,9 +254,9 @@ const FASTEST: u64 = (DOMAIN as u64 - 1) * (DOMAIN as u64 - 1);
 /// body should have at its position. The next bounce then corrects it, up to the gravity of the
 /// part of a frame after it, and that error does not add up.
 ///
-/// So no two bounces are equally high. One may be higher than the start by about one frame's way at
-/// the speed of the bounce. A ball on one flat floor is as even without this. Use it for valleys,
-/// boxes and tables, where the errors would grow.
+/// So no two bounces are equally high. One may be higher than the start by about one frame of
+/// motion at the speed of the bounce. A ball on one flat floor does not need this. Use it for
+/// valleys, boxes and tables, where the errors would grow.
 ///
 /// ```
 /// use tilesat::{Mover, Response, Surface, Vec2, motion::Energy};

@@ -1,6 +1,6 @@
-//! What a body does at a hit, and for which surfaces it does something else.
+//! The response of a body to a hit, and exceptions by the flags of surfaces.
 
-/// How a body responds to what it hits. The words are bump.lua's.
+/// How a body responds to a hit. The names are those of bump.lua.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -17,19 +17,19 @@ pub enum Response {
     DropThrough,
     /// Bounces off the surface like a mirror image: exact at a face along x or y. Elsewhere
     /// rounding may take up to 2 raw units of speed. It never gains speed.
-    /// [`Mover::with_surface`](crate::Mover::with_surface) sets less bounce, and bounces that do not
-    /// lose those units either.
+    /// [`Mover::with_surface`](crate::Mover::with_surface) sets a weaker bounce, or bounces that do
+    /// not lose those units.
     Bounce,
 }
 
-/// Which surfaces a body responds to in its own way, by the flags of the tile, the segment or the
-/// [`Solid`](crate::Solid) that it hits.
+/// The responses to surfaces with flags, by the flags of the tile, the segment or the
+/// [`Solid`](crate::Solid) that a body hits.
 ///
-/// A surface with none of the flags gets the mover's [`Response`]. With flags of several kinds,
-/// touching goes before bouncing, and bouncing before sliding. The answer is for one hit: a body
+/// A surface with none of the flags receives the mover's [`Response`]. With flags of several kinds,
+/// touching wins over bouncing, and bouncing over sliding. The response applies to one hit: a body
 /// can bounce off a spring and slide along the floor in the same call.
 ///
-/// The table says how a body responds to what stops it. For tiles that a kind of body passes, use
+/// The table applies only to surfaces that stop the body. For tiles that a kind of body passes, use
 /// [`TileKinds::passing`](crate::TileKinds::passing). For one-way faces, use
 /// [`Mover::with_drop_through`](crate::Mover::with_drop_through).
 ///
@@ -63,10 +63,10 @@ pub struct Responses {
 }
 
 impl Responses {
-    /// Every surface gets the mover's response.
+    /// Every surface receives the mover's response.
     pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0 };
 
-    /// The response to a surface with these flags, if it has its own.
+    /// The response to a surface with these flags, if the table has one.
     #[must_use]
     pub const fn response_to(self, flags: u8) -> Option<Response> {
         if flags & self.touch != 0 {
@@ -80,20 +80,20 @@ impl Responses {
         }
     }
 
-    /// The same table with [`Response::Touch`] for surfaces with any of these flags.
+    /// Adds [`Response::Touch`] for surfaces with any of these flags.
     #[must_use]
     pub const fn touching(self, flags: u8) -> Self {
         Self { touch: self.touch | flags, ..self }
     }
 
-    /// The same table with [`Response::Bounce`] for surfaces with any of
-    /// these flags. The mover's [`Surface`](crate::Surface) says how much speed comes back.
+    /// Adds [`Response::Bounce`] for surfaces with any of these flags. The mover's
+    /// [`Surface`](crate::Surface) says how much speed is returned.
     #[must_use]
     pub const fn bouncing(self, flags: u8) -> Self {
         Self { bounce: self.bounce | flags, ..self }
     }
 
-    /// The same table with [`Response::Slide`] for surfaces with any of these flags.
+    /// Adds [`Response::Slide`] for surfaces with any of these flags.
     #[must_use]
     pub const fn sliding(self, flags: u8) -> Self {
         Self { slide: self.slide | flags, ..self }

@@ -1,4 +1,4 @@
-//! Verlet points, the sticks that join them, and how they come to rest in a level.
+//! Verlet points, the sticks that join them, and how they rest in a level.
 
 use super::Law;
 use crate::error::RangeError;
@@ -175,8 +175,8 @@ impl Stick {
         }
     }
 
-    /// The same with another share of A in the corrections:
-    /// [`Masses::share_of_a`](super::Masses::share_of_a), or zero if A is nailed down.
+    /// Sets the share of A in the corrections: [`Masses::share_of_a`](super::Masses::share_of_a),
+    /// or zero if A is fixed.
     #[must_use]
     pub const fn with_share_of_a(self, share_of_a: Ratio) -> Self {
         Self { share_of_a, ..self }
@@ -191,14 +191,14 @@ impl Stick {
     /// How far to move each end. Zero if their distance is, exactly, less than 3 raw units off.
     ///
     /// The correction follows the exact difference of the ends, each component rounded to nearest.
-    /// Each end gets its share rounded toward zero, so nothing is ever corrected too far. One
+    /// Each end receives its share rounded toward zero, so nothing is ever corrected too far. One
     /// correction leaves the distance less than 3 raw units off, where it stays. The result does
-    /// not depend on which end is A, and mirrored input gives mirrored bits. Only if both ends are
-    /// one point do they part along x, A to the left. The ends must be inside the
+    /// not depend on which end is A, and mirrored input gives mirrored bits. If both ends are at
+    /// the same point, they part along x, A to the left. The ends must be inside the
     /// [domain](crate::num::DOMAIN).
     ///
     /// Cost: two quotients by a root, about 1380 instructions on a Cortex-M0. Without a correction
-    /// 100.
+    /// it takes 100.
     #[must_use]
     pub const fn pull(&self, a: Vec2, b: Vec2) -> (Vec2, Vec2) {
         let (e, length) = (Raw::of(b).sub(Raw::of(a)), self.length.to_bits());
@@ -224,7 +224,7 @@ impl Stick {
 pub struct Link {
     /// The index of A.
     pub a: u8,
-    /// The index of B, which differs from A's.
+    /// The index of B, which differs from that of A.
     pub b: u8,
     /// The distance between them.
     pub stick: Stick,
@@ -234,17 +234,18 @@ pub struct Link {
 /// corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum RelaxError {
     /// The link of this index names a missing point, or one point twice.
     NoPoint {
-        /// Which link.
+        /// The index of the link.
         link: u32,
     },
     /// The mover refused a point of the link of this index.
     Move {
-        /// Which link.
+        /// The index of the link.
         link: u32,
-        /// Why.
+        /// The refusal of the mover.
         error: MoveError,
     },
 }
@@ -347,14 +348,14 @@ pub struct Quiet {
 }
 
 impl Quiet {
-    /// In motion.
+    /// A body of points in motion.
     pub const NOT: Self = Self { steps: 0 };
 
     /// Counts one more step if no component of a velocity reached `still`; otherwise starts again
     /// at zero.
     ///
     /// Call it after the corrections of the step. Twice the acceleration of one step is a good
-    /// `still`: a falling point passes that in its third step.
+    /// `still`: a falling point exceeds it in its third step.
     #[must_use]
     pub fn watch(self, points: &[Particle], still: Fx) -> Self {
         let all = points.iter().all(|point| {

@@ -1,9 +1,9 @@
 //! Convex solids carry and push bodies.
 //!
-//! As with boxes all pushes of a tick are combined, but as half-planes: a solid that the body runs
-//! into, seen from the solid, sets the tangent there as a bound, and so does the level. The
+//! As with boxes, all pushes of a tick are combined, but as half-planes. A solid into which the
+//! body runs, relative to the solid, sets the tangent there as a bound, and so does the level. The
 //! displacement is the one within all bounds that is nearest to the carry. It is tried as a
-//! straight way, which finds further bounds, until nothing is hit.
+//! straight motion, which finds further bounds, until nothing is hit.
 
 use super::push::Press;
 use super::room::{HalfPlane, RoomToMove};
@@ -33,7 +33,7 @@ impl<L: Law> Mover<L> {
     /// [`ride`](Self::ride) for solids of any convex shape: sloped lifts, bumpers, platforms that
     /// turn.
     ///
-    /// The solids are still at their old positions, and all go to their next ones at once. Call
+    /// The solids are still at their old positions, and all move to their next ones at once. Call
     /// this for each body, then [`ConvexSolid::move_all`], then move the bodies in the level
     /// [joined](crate::Joined) with the [`ConvexSolids`].
     ///
@@ -47,21 +47,22 @@ impl<L: Law> Mover<L> {
     ///
     /// What differs from boxes:
     ///
-    /// - **Carried** bodies go by exactly the motion of the solid. A solid that
-    ///   [turns](ConvexSolid::with_turn) takes a body along by the motion of the point that the
-    ///   body touches; the body itself does not turn.
-    /// - **Pushed** bodies go the shortest way out that the level and all solids leave: along the
-    ///   normal of the face, corner or arc that hits them, and along walls and slopes from there.
-    /// - **Squashed** is a body without such a way, or one that is longer than eight times the
-    ///   longest motion of a solid: between a wedge and a wall that nearly meet. A body that the
-    ///   solids pass where it is stays there.
-    /// - **A turn** keeps each body in front of the face or corner that was between them before,
-    ///   by any angle, so none gets to the other side. The way between both positions is not looked
-    ///   at: the tip of an arm of 100 units that turns by 10 degrees passes over bodies that are in
+    /// - **Carried** bodies move by exactly the motion of the solid. A solid that
+    ///   [turns](ConvexSolid::with_turn) carries a body by the motion of the point that the body
+    ///   touches; the body itself does not turn.
+    /// - **Pushed** bodies take the shortest way out that the level and all solids leave. It leads
+    ///   along the normal of the face, corner or arc that hits them, and along walls and slopes
+    ///   from there.
+    /// - **Squashed**: the body has no such way out, or it is longer than eight times the longest
+    ///   motion of a solid. That happens between a wedge and a wall that nearly meet. If the solids
+    ///   pass the body at its position, it stays there.
+    /// - **A turn** by any angle keeps each body in front of the face or corner that was between
+    ///   the two before, so no body passes to the other side. The positions between are not tested.
+    ///   So the tip of an arm of 100 units that turns by 10 degrees passes over bodies that are in
     ///   its reach by less than 0.4 units.
     ///
-    /// A turn that must not squash is refused by the game: ask all bodies first, and turn the solid
-    /// only if none is squashed. See the example.
+    /// If a turn must not squash a body, your game has to refuse it. Call this for all bodies
+    /// first, and turn the solid only if none is squashed. See the example.
     ///
     /// Cost: a few comparisons for each far solid (100 instructions on a Cortex-M0). Otherwise at
     /// most [`Mover::CONVEX_ROUNDS`] displacements, each one sweep through the level and one for
@@ -132,8 +133,8 @@ impl<L: Law> Mover<L> {
             }
             let mut next = pushes.room.nearest();
             if next.is_none() && pushes.room.forget_level() {
-                // Its bounds hold on straight ways only. What the solids do to a body that it stops
-                // leads to another way.
+                // The bounds of the level hold only on straight motions. The push of the solids on
+                // a body that the level stops leads elsewhere.
                 if pushes.is_clear(made) {
                     done = Some(made);
                     break;
@@ -144,8 +145,8 @@ impl<L: Law> Mover<L> {
             d = next;
         }
         if done.is_none() {
-            // No straight way: a bent one along the level. Or the solids pass a body that the level
-            // stops, or that stays.
+            // If no straight motion is free, try a bent one along the level. Or the solids pass a
+            // body that the level stops, or that stays.
             let shove = Shove { d, held: pushes.room.held(), passes_one_way: self.passes_one_way() };
             let bent = if d.is_zero() { *body } else { shove.of(body, level, &mut ridden.work)? };
             let bent = Raw::of(bent.position()).sub(Raw::of(body.position()));
@@ -193,7 +194,8 @@ impl<L: Law> Mover<L> {
         Ok(hit)
     }
 
-    /// The solid that carries a body: of several the one that rises most, then by the key.
+    /// The solid that carries a body. If there are several, the one that rises most, then by the
+    /// key.
     fn convex_carrier<S: SolidShape, B: Body>(
         &self,
         solids: &[ConvexSolid<S>],
@@ -316,7 +318,7 @@ fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
 struct LevelHit {
     feature: Feature,
     plane: HalfPlane,
-    /// How far the body gets, verified.
+    /// How far the body moves, verified.
     made: Raw,
 }
 
@@ -330,7 +332,7 @@ struct ConvexPushes<'a, S, B> {
 }
 
 impl<S: SolidShape, B: Body> ConvexPushes<'_, S, B> {
-    /// Whether the body gets clear of all solids by `d`. Otherwise adds the bounds that they set.
+    /// Whether the body keeps clear of all solids by `d`. Otherwise adds the bounds that they set.
     fn is_clear(&mut self, d: Raw) -> bool {
         let mut clear = true;
         for (i, solid) in self.solids.iter().enumerate() {
@@ -369,7 +371,7 @@ struct Tick<'a, S, B> {
 }
 
 impl<S: SolidShape, B: Body> Tick<'_, S, B> {
-    /// `None` if the body gets clear of the solid by `d`.
+    /// `None` if the body keeps clear of the solid by `d`.
     fn ask(&self, d: Raw) -> Option<Push> {
         let (solid, body) = (self.solid, self.body);
         let (whole, bounds) = (solid.whole(), body.bounds());
@@ -401,8 +403,8 @@ impl<S: SolidShape, B: Body> Tick<'_, S, B> {
         if d.is_zero() {
             return None;
         }
-        // Of one solid all pieces are swept against at once: the search that levels need, in pieces
-        // of the motion, is not linked for another level.
+        // All pieces of one solid are swept against at once. So the search that levels need, in
+        // pieces of the motion, is not linked for another level.
         let solids = ConvexSolids::new(slice::from_ref(self.solid));
         let mut pieces = solids.features(&hull(&self.body.bounds(), Raw::ZERO, d, 1));
         let (mut around, mut first) = (Around::nothing(), First::none());
@@ -413,7 +415,8 @@ impl<S: SolidShape, B: Body> Tick<'_, S, B> {
         Some((*feature, HalfPlane { normal: entry.normal, at: entry.displacement(d) }))
     }
 
-    /// Of a body in the solid: the way from the middle of its bounds to that of the body's.
+    /// The push on a body in the solid, from the middle of the solid's bounds to that of the
+    /// body's.
     fn inside(&self) -> Push {
         let (a, b) = (self.solid.shape().extent(), self.body.bounds());
         let twice = |a: &Aabb| (i64::from(a.lo().x) + i64::from(a.hi().x), i64::from(a.lo().y) + i64::from(a.hi().y));

@@ -34,11 +34,11 @@ use shove::{Clearance, Shove};
 pub enum Ride {
     /// It stands on no solid, and no solid moves into it.
     Free,
-    /// It stands on a solid and went with it, as far as the level and the other solids let it.
+    /// It stands on a solid and moved with it, as far as the level and the other solids allow.
     Carried,
     /// It was in the way of a moving solid, and yielded.
     Pushed {
-        /// The key of the solid that approaches it fastest; of two, the smaller one.
+        /// The key of the solid that approaches it fastest; on a tie, the smaller key.
         by: u16,
         /// Out of that solid, toward the body; not reduced at a corner.
         normal: Axis,
@@ -46,7 +46,7 @@ pub enum Ride {
     /// It was in the way and could not yield: the level or another solid is behind it. It stays
     /// where it is, and overlaps the solid once that moves.
     Squashed {
-        /// The key of the solid that approaches it fastest; of two, the smaller one.
+        /// The key of the solid that approaches it fastest; on a tie, the smaller key.
         by: u16,
         /// Out of that solid, toward the body.
         normal: Axis,
@@ -54,8 +54,9 @@ pub enum Ride {
 }
 
 /// Where the solids' motions of one tick take a body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[must_use = "the body moves only if you keep `Ridden::body`"]
 pub struct Ridden<B> {
     /// The body at its new position. It does not overlap the level. Unless it is squashed, it does
     /// not overlap any solid at its new position either.
@@ -68,9 +69,10 @@ pub struct Ridden<B> {
     pub floor: Option<u16>,
     /// The motion that this solid and its conveyor gave it in this tick.
     ///
-    /// For a body that leaves the solid, by a jump or over the edge: in this tick the ride has
-    /// already made the solid's part, so move the body by its own speed. Then add the carry to its
-    /// velocity. Seen from a solid that keeps its motion, the flight is that on still ground.
+    /// Use it for a body that leaves the solid, by a jump or over the edge. In this tick the ride
+    /// has already made the solid's part, so move the body by its own speed. Then add the carry to
+    /// its velocity. Relative to a solid that keeps its motion, the flight is the same as from
+    /// still ground.
     pub carry: Vec2,
     /// The work of the call.
     pub work: Work,
@@ -97,25 +99,24 @@ impl<S: Law> Mover<S> {
     ///   ====->===  |           ||
     /// ```
     ///
-    /// - **Carried** is a body that touches a face that is floor, or a circle on its corner. It
-    ///   moves by exactly the motion of the solid and its conveyor, so it never drifts. The level
-    ///   can stop it. `follow` is how far it goes down with a floor that sinks in this tick. For a
-    ///   body in the air, pass its fall per tick: a lift that sinks faster leaves it there. For a
-    ///   [`Walker`](crate::Walker) that stands, pass at least its [snap](crate::Walker::with_snap),
-    ///   see below. On two solids at once it goes with the one that rises most, then with the
-    ///   smaller key.
-    /// - **Pushed** is a body that a solid runs into, from any side. A
-    ///   [one-way](Solid::with_one_way) solid pushes only bodies in front of it. All pushes of a
-    ///   tick are combined axis by axis: the body goes no farther than to where it touches the
-    ///   solid. At slopes of the level up to 2 : 1 it yields along the other axis. A corner pushes
-    ///   a circle off along its normal. If several solids push, the result names the fastest. A
-    ///   body that stands on one solid and is pushed by another is `Pushed`, and its `floor` is the
-    ///   first.
-    /// - **Squashed** is a body that two solids push against each other, or one against the level,
-    ///   with no room left. The body stays where it is. A body that overlaps a solid before the
-    ///   tick (a door put there) and still does after it is squashed too. A one-way solid squashes
-    ///   as well; then [`Character::ride`](crate::Character::ride) asks again with a mover that
-    ///   drops through, which lets the solid pass.
+    /// - **Carried**: the body stands on a floor face of the solid, or is a circle on its corner.
+    ///   It moves by exactly the motion of the solid and its conveyor, so it never drifts. The
+    ///   level can stop it. `follow` is how far it goes down with a floor that sinks in this tick.
+    ///   For a body in the air, pass its fall per tick: a lift that sinks faster leaves it there.
+    ///   For a [`Walker`](crate::Walker) that stands, pass at least its
+    ///   [snap](crate::Walker::with_snap), see below. On two solids at once it goes with the one
+    ///   that rises most, then with the smaller key.
+    /// - **Pushed**: a solid runs into the body, from any side. A [one-way](Solid::with_one_way)
+    ///   solid pushes only bodies in front of it. All pushes of a tick are combined axis by axis:
+    ///   the body goes no farther than to where it touches the solid. At slopes of the level up to
+    ///   2 : 1 it yields along the other axis. A corner pushes a circle off along its normal. If
+    ///   several solids push, the result names the fastest. A body that stands on one solid and is
+    ///   pushed by another is `Pushed`, and its `floor` is the first.
+    /// - **Squashed**: two solids push the body against each other, or one pushes it against the
+    ///   level, with no room left. The body stays where it is. A body that overlaps a solid before
+    ///   the tick (a door put there) and still does after it is squashed too. A one-way solid
+    ///   squashes as well; then [`Character::ride`](crate::Character::ride) asks again with a mover
+    ///   that drops through, which lets the solid pass.
     ///
     /// **A walker's snap.** If a floor sinks by more than `follow`, the body is `Free` and does not
     /// move with it, down or sideways. Take `follow` 1, a lift that moves by (2, 2), and a walker
@@ -125,8 +126,8 @@ impl<S: Law> Mover<S> {
     /// **After `Squashed`** the body overlaps the solid. Every move in the level joined with the
     /// solids is [`MoveError::Stuck`](crate::MoveError::Stuck) until the solid has passed it. The
     /// game decides what happens: let it wait (a move that is stuck leaves it where it is), end it,
-    /// or push it out with [`escape`](crate::motion::escape). No overlap is too small: a body half
-    /// a unit under a crusher's edge is squashed too. A game that forgives such edges escapes
+    /// or push it out with [`escape`](crate::motion::escape). Any overlap counts: a body half a
+    /// unit under the edge of a crusher is squashed, too. A game that forgives such edges escapes
     /// first, and then tests which bodies are still stuck.
     ///
     /// No result depends on the order of the list. Bodies do not push each other, so their order
@@ -147,7 +148,7 @@ impl<S: Law> Mover<S> {
     /// # Errors
     /// - [`MoveError::Range`] if a half extent or radius is not below 2^28 raw, or `follow` is
     ///   negative or not below that.
-    /// - [`MoveError::Range`] if the body would leave the domain, or a way visits more than
+    /// - [`MoveError::Range`] if the body would leave the domain, or a motion visits more than
     ///   [`Mover::CELLS`] cells.
     /// - [`MoveError::Stuck`] if the body is to be moved and already overlaps the level.
     ///
@@ -216,7 +217,7 @@ impl<S: Law> Mover<S> {
             }
             d = next;
         }
-        // Of a body that the level keeps from going along, the solids may pass it where it is.
+        // If the level keeps a body from moving along, the solids may pass it at its position.
         let zero = Raw { x: 0, y: 0 };
         if let Some(press) = pushes.press.filter(|_| asking().ask(zero, zero).is_some()) {
             ridden.ride = Ride::Squashed { by: press.key, normal: press.normal };
@@ -236,8 +237,8 @@ pub(super) struct Carrier {
 }
 
 impl Carrier {
-    /// Of several solids, chooses the one that rises most, because it lifts the body off the
-    /// others. Then the smaller key decides, then geometry. The order of the list does not matter.
+    /// Of two solids, prefers the one that rises more, because it lifts the body off the other.
+    /// Then the smaller key decides, then geometry. The order of the list does not matter.
     fn goes_before(&self, other: &Self) -> bool {
         let key = |c: &Self| {
             let Raw { x, y } = c.carry;

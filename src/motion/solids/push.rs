@@ -10,7 +10,7 @@ use core::slice;
 /// The solid that presses a body: the one that approaches fastest.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Press {
-    /// How far it comes in this tick, along the normal, rounded toward zero.
+    /// How far it moves in this tick, along the normal, rounded toward zero.
     speed: i32,
     /// Whether it approaches at all.
     pub(super) comes: bool,
@@ -19,7 +19,8 @@ pub(super) struct Press {
 }
 
 impl Press {
-    /// Of a solid that moves by `m`. Whether the normal may be askew is known at compile time.
+    /// The press of a solid that moves by `m`. Whether the normal may be askew is known at compile
+    /// time.
     pub(super) fn of<const ASKEW: bool>(key: u16, m: Raw, n: Axis) -> Self {
         let along = n.dot(Axis::new(m.x, m.y));
         let speed = if !ASKEW || n.x == 0 || n.y == 0 {
@@ -32,7 +33,7 @@ impl Press {
     }
 
     /// Orders by speed, then by the smaller key, then by geometry: the same for mirrored normals as
-    /// far as possible. A solid that comes by less than a raw unit is faster than one that stands.
+    /// far as possible. A solid that moves by less than a raw unit is faster than one at rest.
     pub(super) fn goes_before(&self, other: &Self) -> bool {
         let key = |p: &Self| {
             let n = p.normal;
@@ -51,8 +52,8 @@ pub(super) struct Pushes<'a, B> {
     pub(super) press: Option<Press>,
 }
 
-/// Whether a body that is hit in this way is hit by a face of a solid. Boxes meet nothing else. A
-/// slanted side of a turned body meets a corner, for a solid has no slanted face.
+/// Whether a face of a solid makes this hit. Boxes meet nothing else. A slanted side of a turned
+/// body meets a corner, because a solid has no slanted face.
 fn is_face<B: Body>(entry: &Entry, normal: Axis) -> bool {
     if B::ANGULAR {
         entry.step.is_none() && (normal.x == 0 || normal.y == 0)
@@ -62,13 +63,13 @@ fn is_face<B: Body>(entry: &Entry, normal: Axis) -> bool {
 }
 
 impl<B: Body> Pushes<'_, B> {
-    /// Returns `None` if the body gets clear of all solids by `made`, the part of `d` that the
+    /// Returns `None` if the body keeps clear of all solids by `made`, the part of `d` that the
     /// level allowed. Otherwise returns the displacement to try instead of `d`.
     ///
-    /// A solid goes straight by its motion while the body goes straight by `made`. Seen from the
-    /// solid, the body moves by the difference. A hit of that motion is a push, at any speed. Faces
-    /// set bounds, and all of them together decide. If no face is hit, corners push a circle off
-    /// along their normals.
+    /// A solid moves straight by its motion while the body moves straight by `made`. Relative to
+    /// the solid, the body moves by the difference. A hit of that motion is a push, at any speed.
+    /// Faces set bounds, and all of them together decide. If no face is hit, corners push a circle
+    /// off along their normals.
     #[inline(never)]
     pub(super) fn ask(&mut self, d: Raw, made: Raw) -> Option<Raw> {
         let (mut clear, mut corners) = (true, Shift::default());
@@ -108,7 +109,7 @@ impl<B: Body> Pushes<'_, B> {
         Some(self.room.nearest(if faces { d } else { corners.from(made) }))
     }
 
-    /// The normal of the face or corner that the body hits on its way past a solid, and the entry.
+    /// The normal of the face or corner that the body hits as it moves past a solid, and the entry.
     /// No entry if the body is in the solid from the start to the end.
     fn hit(&self, solid: &Solid, made: Raw, relative: Raw) -> Option<(Axis, Option<Entry>)> {
         let (body, bounds) = (self.body, self.body.bounds());
@@ -144,8 +145,8 @@ fn first<B: Body>(solid: &Solid, body: &B, d: Raw) -> Option<Entry> {
     best
 }
 
-/// The side of a solid nearest to a box that overlaps it. Of two, the one that the solid moves to,
-/// then the one along x, then +.
+/// The side of a solid nearest to a box that overlaps it. On a tie, the one toward which the solid
+/// moves, then the one along x, then +.
 fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
     let (a, b, motion) = (solid.lo(), solid.hi(), Raw::of(solid.motion()));
     let sides = [

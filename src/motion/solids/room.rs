@@ -29,7 +29,8 @@ impl HalfPlane {
         Some(d.add(by))
     }
 
-    /// A displacement on the border of this one that is in the other one too, nearest to `d`.
+    /// A displacement on the border of this half-plane that is also in the other one, nearest to
+    /// `d`.
     fn corner(&self, other: &Self, d: Raw) -> Option<Raw> {
         let on = self.nearest(d)?;
         let below = other.height(on).wrapping_neg();
@@ -55,7 +56,7 @@ impl Raw {
     }
 }
 
-/// `v a / n`, each component rounded away from zero; none where that is no motion.
+/// `v a / n`, each component rounded away from zero; none if that is not a motion.
 fn scaled(v: Raw, a: u64, n: u64) -> Option<Raw> {
     let part = |c: i32| {
         if n == 0 {
@@ -70,14 +71,14 @@ fn scaled(v: Raw, a: u64, n: u64) -> Option<Raw> {
     Some(Raw { x: part(v.x)?, y: part(v.y)? })
 }
 
-/// How many bounds there may be.
+/// The most bounds.
 const BOUNDS: usize = 12;
 
-/// What set a bound: a kind of piece of the level or of one of the solids, and where it is. The
-/// arcs around one centre are one.
+/// The source of a bound: a kind of piece of the level or of one of the solids, and its position.
+/// The arcs around one centre count as one.
 type Source = (Option<u16>, u8, (i32, i32));
 
-/// Up to twelve bounds. What does not fit closes the room.
+/// Up to twelve bounds. A further bound closes the room.
 pub(super) struct RoomToMove {
     wanted: Raw,
     /// How far a displacement may be from the wanted one, along x or y.
@@ -97,9 +98,9 @@ impl RoomToMove {
         self.closed = true;
     }
 
-    /// Adds a bound of a piece of the level, or of the solid of that number. It replaces the last
-    /// one of the same piece: a tangent of a corner or an arc is better the nearer it is. Only in a
-    /// pipe all tangents count.
+    /// Adds a bound of a piece of the level, or of the solid with that number. It replaces the last
+    /// one of the same piece, because a nearer tangent of a corner or an arc is better. In a pipe,
+    /// all tangents count.
     pub(super) fn add(&mut self, solid: Option<u16>, feature: &Feature, plane: HalfPlane) {
         let (kind, place, is_pipe) = match feature.geometry {
             Geometry::Face { a, .. } => (0, a, false),
@@ -138,7 +139,7 @@ impl RoomToMove {
 
     /// The displacement within all bounds that is nearest to the wanted one; none without room.
     ///
-    /// It is that one itself, or on the border of one bound, or where two borders cross.
+    /// It is the wanted one, or on the border of one bound, or where two borders cross.
     pub(super) fn nearest(&self) -> Option<Raw> {
         if self.closed {
             return None;

@@ -1,4 +1,4 @@
-//! A displacement that a solid forces on a body: the bounds that the solids set, and the way
+//! A displacement that a solid forces on a body: the bounds that the solids set, and the motion
 //! through the level.
 
 use crate::motion::body::Body;
@@ -24,8 +24,8 @@ impl Clearance {
     pub(super) const ALL: Self =
         Self { lo: Raw { x: -Self::FAR, y: -Self::FAR }, hi: Raw { x: Self::FAR, y: Self::FAR } };
 
-    /// Adds the bound of a solid's face with the outward normal `n`: the body may touch the face
-    /// where it stops, and go no nearer.
+    /// Adds the bound of a solid's face with the outward normal `n`: the body may touch the face at
+    /// its end, and move no nearer.
     pub(super) fn behind<B: Body>(&mut self, body: &B, solid: &Solid, n: Axis) {
         let (lo, hi, motion, bounds) = (solid.lo(), solid.hi(), Raw::of(solid.motion()), body.bounds());
         // From the body's side to the solid's opposite one at its new position.
@@ -53,7 +53,7 @@ impl Clearance {
         (self.lo.x > -Self::FAR || self.hi.x < Self::FAR, self.lo.y > -Self::FAR || self.hi.y < Self::FAR)
     }
 
-    /// The same bounds for a body that wanted to make `d` and could only make `made`: the level has
+    /// These bounds for a body that should move by `d` and could only move by `made`: the level has
     /// no more room on that side.
     pub(super) fn in_level(&self, d: Raw, made: Raw) -> Self {
         let mut room = *self;
@@ -129,7 +129,7 @@ impl Shove {
                 *plane = Some(entry.normal);
             }
             d = yielding(rest, entry.normal, self.held);
-            // A tangent of a quarter pipe leads into it again. The body takes a steeper way,
+            // A tangent of a quarter pipe leads into it again. The body takes a steeper direction,
             // through the inside of the pipe.
             if W::ROUND && pressed > 0 && entry.step.is_some() {
                 d = steeper(d, rest, entry.normal, pressed);
@@ -182,7 +182,8 @@ pub(super) fn out_of(rest: Raw, n: Axis, along: i32) -> i32 {
 
 /// `v / a`, rounded up, for quotients below 2^32.
 ///
-/// Bit by bit, for it is rare: a quick quotient of a double word takes 500 bytes of flash.
+/// Computed bit by bit, because it is rare: a fast quotient of a double word takes 500 bytes of
+/// flash.
 fn quotient_up(v: u64, a: u32) -> u32 {
     let (mut rest, mut part, mut quotient) = (v, u64::from(a) << 32, 0u32);
     for _ in 0..32 {
@@ -194,7 +195,7 @@ fn quotient_up(v: u64, a: u32) -> u32 {
     quotient.wrapping_add(u32::from(rest != 0))
 }
 
-/// A way that rises half as far again for each time that the body was pressed.
+/// A direction that rises half as far again for each time that the body was pressed.
 fn steeper(d: Raw, rest: Raw, n: Axis, pressed: i32) -> Raw {
     let more = |rest: i32, n: i32| ((rest.abs() >> 2) + 1).wrapping_mul(pressed).wrapping_mul(n.signum());
     if d.x == rest.x {

@@ -1,4 +1,4 @@
-//! Solids that turn: where their corners go, and how they hold a body off.
+//! Solids that turn: how their corners move, and how they push a body.
 
 use super::push::Press;
 use super::room::HalfPlane;
@@ -8,12 +8,12 @@ use crate::query::Core;
 use crate::query::cast::moment::{along, is_below, reach};
 use crate::world::{ConvexSolid, Feature, Geometry, SolidShape, ends};
 
-/// A solid that turns: its corners now, and where they go.
+/// A solid that turns: its corners before and after the turn.
 pub(super) struct Turn<'a, S: SolidShape> {
     solid: &'a ConvexSolid<S>,
     here: S::Corners<'a>,
     there: S::Corners<'a>,
-    /// The corner of the next shape that the first one goes to.
+    /// The corner of the next shape to which the first one moves.
     shift: usize,
 }
 
@@ -27,7 +27,7 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         (Core { corners: &self.here, radius: 0 }, Core { corners: &self.there, radius: 0 })
     }
 
-    /// Where a corner goes to: its number in the next shape.
+    /// The number in the next shape of the corner to which a corner moves.
     fn goes_to(&self, corner: usize) -> usize {
         self.cores().1.wrapped(corner.wrapping_add(self.shift))
     }
@@ -37,7 +37,7 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         q.corner(self.goes_to(corner)).sub(p.corner(corner))
     }
 
-    /// The motion of the point that a body touches: of a face between those of its ends.
+    /// The motion of the point that a body touches: on a face it is between those of the ends.
     pub(super) fn of_contact(&self, feature: &Feature, first: Raw, last: Raw) -> Raw {
         let corner = usize::from(feature.index / 5);
         let from = self.of_corner(corner);
@@ -58,12 +58,13 @@ impl<'a, S: SolidShape> Turn<'a, S> {
     }
 
     /// The bound of a turn, if the body does not keep clear of it by `d`: the body stays in front
-    /// of what was between the two.
+    /// of the separation between the two.
     ///
-    /// That is a face of the solid, which goes where its corners go, or a direction in which a
-    /// corner of the solid is first: along x or y, into a side of the body, or between the points
-    /// that are nearest to each other. Before the turn the last one or a face leaves most room, so
-    /// there always is one. None counts if another one still is between them at the end.
+    /// That is a face of the solid, which moves with its corners, or a direction in which a corner
+    /// of the solid is first. Such a direction is along x or y, into a side of the body, or between
+    /// the points that are nearest to each other. Before the turn the last one or a face leaves
+    /// most room, so there always is a separation. None counts if another one is still between them
+    /// at the end.
     pub(super) fn held<B: Body>(&self, body: &B, d: Raw) -> Option<(Feature, HalfPlane, Press)> {
         let (p, q) = self.cores();
         let mut best: Option<TurnFront> = None;
@@ -118,7 +119,7 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         if is_clear { None } else { best.and_then(|front| self.bound(&front)) }
     }
 
-    /// What it says of a displacement, with the body in front of the plane by its radius.
+    /// The bound on a displacement, with the body in front of the plane by its radius.
     fn bound(&self, front: &TurnFront) -> Option<(Feature, HalfPlane, Press)> {
         let (n, r) = (front.next_n, front.gap.radius);
         let out = if r == 0 { Raw::ZERO } else { toward(Raw { x: n.x, y: n.y }, r) };
@@ -130,7 +131,7 @@ impl<'a, S: SolidShape> Turn<'a, S> {
     }
 }
 
-/// What is between a body and a solid before a turn: a face, or a direction and a corner.
+/// The separation of a body and a solid before a turn: a face, or a direction and a corner.
 struct TurnFront {
     face: bool,
     corner: usize,
@@ -143,12 +144,12 @@ struct TurnFront {
 }
 
 impl TurnFront {
-    /// How much room it leaves; of equal ones a face goes first, then by their normals.
+    /// How much room it leaves; on a tie a face wins, then the order of normals.
     fn rank(&self) -> (u32, bool, u32, u32) {
         (self.gap.size, self.face, self.n.x.unsigned_abs(), self.n.y.unsigned_abs())
     }
 
-    /// Whether it still is between them after the turn, where the body goes by `d`.
+    /// Whether it is still between them after the turn, if the body moves by `d`.
     fn is_clear(&self, d: Raw) -> bool {
         let gap = along(self.next_n, d.sub(self.to));
         gap >= 0 && !is_below(gap as u64, reach(self.gap.radius, self.next_n))

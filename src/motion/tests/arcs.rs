@@ -148,7 +148,7 @@ fn exhaustively() {
     }
 }
 
-/// Standing and lying capsules, of which an end or a side comes to an arc.
+/// Standing and lying capsules, of which an end or a side reaches an arc.
 #[test]
 fn capsules_exhaustively() {
     for convex in [true, false] {

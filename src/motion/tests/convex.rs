@@ -1,6 +1,6 @@
-//! Bodies with sides in any direction against polygons, exactly. What a convex body sweeps is the
-//! hull of its corners at the start and at the end: it overlaps on the way iff the inside of that,
-//! grown by the radius, meets an edge of the solid.
+//! Bodies with sides in any direction against polygons, exactly. A convex body sweeps the hull of
+//! its corners at the start and at the end. It overlaps during the motion iff the inside of that
+//! hull, grown by the radius, meets an edge of the solid.
 
 use super::super::body::Entry;
 use super::polygons::{Big, SOLIDS, Wide, across, any_polygon, contains, near, side, target, zero};
@@ -222,7 +222,7 @@ fn random(seed: u64, n: u64, size: i64, longest: i64) -> Tally {
         let body = Figure { corners, r: if round { 1 + r.magnitude(long) } else { 0 } };
         let motion = if r.one_in(3) { 64 } else { longest };
         let d = (r.sign() * r.magnitude(motion), r.sign() * r.magnitude(motion));
-        // One of its corners, or a point of a side, comes to a point of the solid, less the radius.
+        // One of its corners, or a point of a side, reaches a point of the solid, less the radius.
         let (at, e) = target(&mut r, &solid);
         let i = r.below(body.corners.len() as i64) as usize;
         let (p, q) = (body.corners[i], body.corners[(i + 1) % body.corners.len()]);

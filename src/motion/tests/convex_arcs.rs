@@ -136,7 +136,7 @@ fn on_all_scales() {
                 let body = Figure { corners, r: figure.r * by };
                 let longest = if r.one_in(4) { 16 } else { 1 << (bits + 1) };
                 let d = (r.sign() * r.magnitude(longest), r.sign() * r.magnitude(longest));
-                // A corner comes to the arc, or near an end of it.
+                // A corner reaches the arc, or near an end of it.
                 let angle = f64::from(r.below(1 << 20) as i32) / f64::from(1 << 20) * core::f64::consts::FRAC_PI_2;
                 let there = match r.below(4) {
                     0 => (a, 0),

@@ -16,7 +16,7 @@ const VIEWS: [fn(P) -> P; 8] = [
     |p| (-p.1, -p.0),
 ];
 
-/// A circle of radius 5 that comes to the origin touches the corner (3, 4) and, `late` raw units
+/// A circle of radius 5 that reaches the origin touches the corner (3, 4) and, `late` raw units
 /// later, the wall x = 5.
 ///
 /// ```text

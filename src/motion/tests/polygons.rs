@@ -216,7 +216,7 @@ fn random(seed: u64, n: u64, size: i64, longest: i64, is_capsule: bool) -> Tally
         let motion = if r.one_in(3) { 64 } else { longest };
         let d = (r.sign() * r.magnitude(motion), r.sign() * r.magnitude(motion));
         let (at, e) = target(&mut r, &solid);
-        // The centre comes to the radius from an edge, or passes a point at that distance, or
+        // The centre reaches the radius from an edge, or passes a point at that distance, or
         // anything near; within two raw.
         let offset = match r.below(4) {
             0 => across(d, radius * r.sign()),

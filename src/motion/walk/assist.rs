@@ -1,4 +1,4 @@
-//! Nudges past corners and into gaps that a body narrowly misses.
+//! Nudges a body past corners and into gaps that it narrowly misses.
 
 use super::ground::{Ground, Look, along, within};
 use super::walker::checked;
@@ -13,8 +13,8 @@ use crate::shape::Aabb;
 use crate::world::{World, corners_of};
 
 impl<S: Law> Mover<S> {
-    /// Moves a body aside by at most `reach`, if it would otherwise hit something that its motion
-    /// just misses from there.
+    /// Moves a body aside by at most `reach`, if its motion would hit something that it misses from
+    /// there.
     ///
     /// ```text
     ///     ________            ________        a head under a corner, a foot under a ledge
@@ -24,15 +24,15 @@ impl<S: Law> Mover<S> {
     /// ```
     ///
     /// Call it before the motion, with the same velocity. It does nothing if the motion hits no
-    /// face along x or y, or hits a floor. The way aside is the shortest, exactly, from which the
-    /// motion comes farther, and it is free. Of two equally short ways it chooses the one that the
-    /// velocity leads to, then the one to the left of the motion, as seen with y down.
+    /// face along x or y, or hits a floor. The step aside is the shortest one, exactly, that lets
+    /// the motion lead farther, and it is free. If two are equally short, it chooses the one toward
+    /// which the velocity points, then the one to the left of the motion (y down).
     ///
     /// A body that moves sideways faster than `reach` per call can pass a gap within one frame. A
     /// `reach` as large as the speed finds every gap.
     ///
-    /// Cost: one sweep along the motion. If that hits, up to six more, of `reach`, and on each side
-    /// one for each face that the body comes past.
+    /// Cost: one sweep along the motion. If that hits, up to six more, of `reach`, and one on each
+    /// side for each face that the body passes.
     ///
     /// ```
     /// use tilesat::{Aabb, Mover, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -40,7 +40,7 @@ impl<S: Law> Mover<S> {
     /// let level = TileMap::from_ascii("# #\n# #\n   \n", &KINDS)?; // a gap from x = 16 to 32
     /// let (mover, up) = (Mover::new(), Vec2::from((0, -4)));
     ///
-    /// let body = Aabb::new(Vec2::from((15, 32)), Vec2::from((31, 48)))?; // as wide, and a unit beside it
+    /// let body = Aabb::new(Vec2::from((15, 32)), Vec2::from((31, 48)))?; // as wide as the gap, and a unit beside it
     /// assert_eq!(mover.move_and_slide(&level, &body, up)?.body, body);
     /// let aside = mover.assist(&level, &body, up, fx!(2))?;
     /// assert_eq!(mover.move_and_slide(&level, &aside, up)?.position(), Vec2::from((16, 28)));
@@ -62,7 +62,7 @@ impl<S: Law> Mover<S> {
         Ok(if aside.overlaps_world(world) { *body } else { aside })
     }
 
-    /// The shortest way aside from which the motion of a run comes farther.
+    /// The shortest step aside that lets the motion of a run lead farther.
     fn aside<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, reach: i32) -> Option<Raw> {
         let d = run.motion;
         let hit = run.look(world, d)?;

@@ -12,7 +12,8 @@ use crate::num::{Fx, Raw, Vec2};
 use crate::world::World;
 
 /// Where a walker ended up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[must_use = "the body moves only if you keep `Walked::moved`"]
 pub struct Walked<B> {
     /// The motion. On a floor its velocity is level (across "up"): the speed for the next frame. In
     /// the air it is the velocity at which it left the ground, less the part that hits took.
@@ -22,12 +23,12 @@ pub struct Walked<B> {
     pub moved: Moved<B>,
     /// The floor that it stands on. Pass it to the next call.
     pub floor: Option<Support>,
-    /// Whether it walked on a floor in this frame. It may have left it again: without a `floor`, it
-    /// fell onto the last bit of a platform, say, and slid off.
+    /// Whether it met a floor in this frame. If [`floor`](Self::floor) is `None`, it has left that
+    /// floor again: for example, it landed on the edge of a platform and slid off.
     pub met_floor: bool,
-    /// How far it rose on steps.
+    /// How far it rose on steps, in units.
     pub stepped: Fx,
-    /// How far it was pulled down to the ground; 0 for mere rounding.
+    /// How far it was pulled down to the ground, in units; 0 for mere rounding.
     pub snapped: Fx,
 }
 

@@ -12,11 +12,11 @@ use crate::num::{Axis, DOMAIN, Fx, Raw, Toi, Vec2, mul_div, umul};
 use crate::shape::Aabb;
 use crate::world::{Cell, Feature, World};
 
-/// The floor under a body.
+/// The floor on which a body stands.
 ///
-/// Plain data. If a body stands on several tiles of one height, their flags are or-ed and the cell
-/// is one of theirs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Plain data. If a body stands on several tiles at the same height, their flags are or-ed, and the
+/// cell is that of one of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 // As a `Hit`.
@@ -24,7 +24,7 @@ use crate::world::{Cell, Feature, World};
 pub struct Support {
     /// The exact normal of the floor.
     pub axis: Axis,
-    /// The cell of the level.
+    /// The cell of the level. Of a moving solid it holds the key: see [`solid`](Self::solid).
     pub cell: Cell,
     /// Which feature of the cell, as [`Feature::index`].
     pub index: u16,
@@ -37,6 +37,23 @@ pub struct Support {
 }
 
 impl Support {
+    /// The key of the moving solid that the body stands on. `None` for a tile or a segment.
+    ///
+    /// In a [joined](crate::Joined) level, [`source`](Self::source) distinguishes two lists.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Mover, Solid, Solids, Vec2};
+    /// let boxed = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
+    /// let lift = [Solid::new(boxed(0, 24, 48, 4)?, 7)?];
+    /// let floor = Mover::platformer(Axis::NEG_Y).supported(&Solids::new(&lift), &boxed(20, 10, 10, 14)?)?;
+    /// assert_eq!(floor.map(|floor| floor.solid()), Some(Some(7)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    #[must_use]
+    pub const fn solid(&self) -> Option<u16> {
+        self.cell.solid()
+    }
+
     pub(super) fn of(axis: Axis, f: &Feature) -> Self {
         Self { axis, cell: f.cell, index: f.index, flags: f.flags, one_way: f.one_way, source: f.source }
     }
@@ -52,14 +69,13 @@ impl From<Hit> for Support {
 /// at slopes and corners.
 pub(in crate::motion) const CONTACT: i32 = 8;
 
-/// How far down a wedged body is not free to go, raw. A way slower than the rounding distance leads
-/// nowhere. Ground flatter than 1 in 256 therefore holds every body, as it does under a gravity of
-/// 1/64 unit.
+/// A body is wedged if no free direction leads down by this much, raw. A way slower than the
+/// rounding distance leads nowhere. Ground flatter than 1 in 256 therefore holds every body, as it
+/// does under a gravity of 1/64 unit.
 const DROP: i32 = 1 << 10;
 
 impl Mover {
-    /// The floor that carries a body which does not move: less than 8 raw units below it, against
-    /// "up".
+    /// The floor that carries a body at rest: less than 8 raw units below it, against "up".
     ///
     /// The mover's slope limit decides which surfaces are floor. One-way faces carry a body that is
     /// entirely above them, unless the mover drops through. A mover without an "up" has no floor.
@@ -114,11 +130,12 @@ impl Ground {
 }
 
 pub(super) trait Look {
-    /// The first hit on a way that the body does not make, on the part of it [`within`] the domain.
+    /// The first hit of a motion that the body does not make, on the part of it [`within`] the
+    /// domain.
     fn look<W: World>(&mut self, world: &W, d: Raw) -> Option<Ground>;
 
-    /// The same from another position, whatever is on the way there and at it. If the body is
-    /// inside the solid, its way out is no hit.
+    /// [`look`](Self::look) from another position, whatever is between the two and at it. If the
+    /// body is inside the solid, leaving it is no hit.
     fn look_from<W: World>(&mut self, world: &W, to: Raw, d: Raw) -> Option<Ground>;
 
     /// The floor that carries the body: within [`CONTACT`] below, also beside a wall that leans on
@@ -181,8 +198,8 @@ impl<B: Body> Look for Run<'_, B> {
         let mut ways = Ways::none();
         ways.read::<W, B>(world, &self.moved.body, (down, Toi::ONE), None, passes);
         ways.settle_all(world, &self.moved.body, passes);
-        // A way that ends before it leads down by a raw unit leads nowhere: between a corner and a
-        // slope over it, a ball may have room to the side alone.
+        // A way that ends before it leads down by a raw unit leads nowhere. Between a corner and a
+        // slope over it, a ball may have room to the side only.
         let mut leads = |d| self.look(world, d).is_none_or(|ground| into(ground.drop(), up) < 0);
         if ways.iter().any(|way| way.is_free() && (way.along.is_none() || leads(way.probe()))) {
             return None;

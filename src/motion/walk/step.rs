@@ -75,8 +75,8 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
         true
     }
 
-    /// Whether the step goes on as a slope, the hit of the way forward. A body that is raised by
-    /// the step's exact height then touches the slope, and has no way forward but along it.
+    /// Whether the step continues as a slope, which the motion forward hits. A body that is raised
+    /// by the step's exact height then touches the slope, and can only move along it.
     fn goes_on(&mut self, hit: &Ground, raised: Raw) -> bool {
         let Some(floor) = self.walker.mover.support(hit).filter(|floor| !floor.one_way) else { return false };
         let before = core::mem::replace(&mut self.floor, floor.axis);
@@ -107,8 +107,9 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
     /// The floor that carries the body on this ground.
     ///
     /// A circle, or a polygon on a narrow foot, comes down to the edge of a step before it is over
-    /// the step, or while it is still beyond. It is then on its way. It stands if the same way
-    /// down, started farther on by what is in front of its foot, ends on level floor.
+    /// the step, or while it is still beyond. Such a step is not complete. The body stands if the
+    /// same motion down ends on level floor when it starts farther ahead, by the part of the body
+    /// in front of its foot.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }
@@ -124,7 +125,8 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
             return None;
         }
         let to = raised.add(forward);
-        // From within ground that is too high, what is behind the foot comes down to the old floor.
+        // From within ground that is too high, the part behind the foot comes down to the old
+        // floor.
         if B::is_inside(self.world, foot.add(along(self.up, -body.rounding())).add(to)) {
             return None;
         }
@@ -132,10 +134,10 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
         self.walker.mover.support(&beyond)
     }
 
-    /// Moves as far as the way is free and in the domain. Returns the motion, the time left, and
+    /// Moves as far as the motion is free and in the domain. Returns the motion, the time left, and
     /// the hit.
     fn shift(&mut self, d: Raw) -> (Raw, Toi, Option<Ground>) {
-        // A way counts as free only if it has been looked at.
+        // A motion counts as free only if the level was examined.
         let d = within(&self.run.moved.body.bounds(), d);
         let hit = self.run.look(self.world, d);
         let (made, rest) = match &hit {

@@ -37,7 +37,7 @@ pub(super) struct Stride<'a, 'm, W, B> {
     lands: bool,
 }
 
-/// What a frame ends on, and the heights that it went by.
+/// The floor at the end of a frame, and the heights of its steps.
 pub(super) struct Footing {
     pub(super) floor: Option<Support>,
     pub(super) met_floor: bool,
@@ -49,13 +49,13 @@ pub(super) struct Footing {
 enum On {
     /// Along this floor.
     Free(Axis),
-    /// By roundings, to a position that may have a way on.
+    /// By roundings, to a position that may have a free way.
     Creeps([Option<Raw>; 2]),
 }
 
 impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
-    /// How often a blocked body may go by roundings to a position with a way on: down to its floor,
-    /// along it, down again, and one attempt to see.
+    /// How often a blocked body may move by roundings to a position with a free way: down to its
+    /// floor, along it, down again, and one final attempt.
     const CREEPS: u32 = 4;
 
     pub(super) fn new(walker: &'a Walker, world: &'a W, run: &'a mut Run<'m, B>, up: Axis, floor: Axis) -> Self {
@@ -127,7 +127,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         }
     }
 
-    /// A horizontal way ahead of this length; zero for a body that does not walk.
+    /// A horizontal displacement ahead of this length; zero for a body that does not walk.
     pub(super) fn forward(&self, length: u32) -> Raw {
         tangent(if self.speed == 0 { 0 } else { length }, self.up, self.against)
     }
@@ -137,8 +137,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         if self.against { self.up.perp().reversed() } else { self.up.perp() }
     }
 
-    /// The next way to make. After a landing on level ground this is the rest of the motion, to the
-    /// last bit.
+    /// The next displacement. After a landing on level ground this is the rest of the motion, to
+    /// the last bit.
     fn leg(&mut self) -> Raw {
         if core::mem::take(&mut self.lands) {
             return project::<B, W, _>(self.run.motion, self.floor, &Smooth);
@@ -146,8 +146,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         if W::ROUND && self.run.on_chord { self.run.motion } else { self.velocity(self.run.rest) }
     }
 
-    /// The ground at most the walker's snap below. The look goes one raw unit farther, because it
-    /// does not meet a surface that it only touches.
+    /// The ground at most the walker's snap below. The look reaches one raw unit farther, because
+    /// it does not meet a surface that it only touches.
     fn look_down(&mut self) -> Option<Ground> {
         let d = along(self.up, -(self.walker.snap + 1).max(CONTACT));
         self.run.look(self.world, d)
@@ -199,7 +199,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 if at_once || (on_chord && (B::ANGULAR || way(made) <= NEAR)) {
                     self.run.put_back(self.before);
                 }
-                // A ceiling that ends the run is a wall to it.
+                // A ceiling that ends the run counts as a wall.
                 self.run.moved.wall = true;
                 self.speed = 0;
                 false
@@ -208,8 +208,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     }
 
     /// Continues along lower ground, if a leg that a wall or a ceiling blocks had left its floor
-    /// behind. Returns whether it does. No way along the ground leads to that hit, so the hit does
-    /// not count.
+    /// behind. Returns whether it does. The hit does not count, because no motion along the ground
+    /// leads to it.
     ///
     /// In a tunnel that bends down, a straight leg passes the bend and meets the ceiling.
     #[inline(never)]
@@ -235,7 +235,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     /// free directions at this position and the level speed bound it.
     ///
     /// At a joint of a ramp and a corridor, neither may be free from any lattice point in reach.
-    /// Then the body goes up to where one is.
+    /// Then the body moves up to a point at which one is.
     #[inline(never)]
     fn squeeze(&mut self) -> bool {
         if !may_be_askew::<B, W>() {
@@ -275,11 +275,11 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         On::Creeps([creeps.next(), creeps.next()])
     }
 
-    /// Goes up to the first hit on a way. Returns whether the body moved.
+    /// Moves up to the first hit of a displacement. Returns whether the body moved.
     ///
     /// The time of a corner or an arc is a lower bound, less than a raw unit early. The next point
-    /// may therefore be free too. No face is passed on the way: a touched face is met before the
-    /// corner, and the others are at least a raw unit away.
+    /// may therefore be free too. It passes no face: a touched face is met before the corner, and
+    /// the others are at least a raw unit away.
     fn creep(&mut self, d: Raw) -> bool {
         let Some(hit) = self.run.look(self.world, d) else { return false };
         let next = Raw { x: d.x.signum(), y: d.y.signum() };

@@ -34,7 +34,7 @@ pub enum SlopeSpeed {
 /// walker stops there, and slides down a steep slope that it falls on.
 ///
 /// Plain data: a copy is a snapshot.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[doc(alias("character controller", "ground snapping"))]
 pub struct Walker {
     pub(crate) mover: Mover,

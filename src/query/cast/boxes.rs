@@ -79,9 +79,9 @@ pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option
 
 /// The side of the span that is entered later, one of the two not being entered yet.
 ///
-/// The motion is strictly within both spans at one time where the later entry comes before the
-/// earlier exit. Of two entries at one moment, corner to corner, the one that opposes the motion
-/// more, x on a tie.
+/// The motion is strictly within both spans at one time if the later entry comes before the earlier
+/// exit. If two entries are at the same moment, corner to corner, it is the one that opposes the
+/// motion more, x on a tie.
 #[inline(always)]
 fn later(x: Span, y: Span, d: Raw) -> Option<SideMoment> {
     let x_later = if x.gap < 0 {
@@ -193,11 +193,11 @@ pub(super) fn gate(circle: &Circle, b: &Aabb, d: Raw) -> Option<BoxGate> {
     gate_here(circle, b, d)
 }
 
-/// The same without a call.
+/// [`gate`] without a call.
 ///
-/// The rounded box lies in the box grown by r. Where a motion comes into that beside a side of the
-/// box itself, it has met the rounded box; else it is in the square of radius r beside one corner,
-/// and leaves it through the corner's disc, or leaves the grown box: one disc is enough. The same
+/// The rounded box lies in the box grown by r. If a motion enters that beside a side of the box
+/// itself, it has met the rounded box. Else it is in the square of radius r beside one corner, and
+/// leaves it through the corner's disc, or leaves the grown box. So one disc is enough. The same
 /// holds for a start in the grown box.
 ///
 /// ```text

@@ -1,17 +1,17 @@
-//! The arguments and answers of a cast, and each pair's part of [`CastShape`](super::CastShape);
-//! public in a private module.
+//! The arguments and answers of a cast, and the part of each pair in
+//! [`CastShape`](super::CastShape); public in a private module.
 
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, check_coordinate};
 use crate::shape::{Aabb, Circle, Segment};
 
-/// The boundary that a motion comes through, and when: decided, not yet computed.
+/// The boundary that a motion meets, and when: decided, not yet computed.
 pub trait Moment: Copy {
     /// The exact floor of the moment, in parts of the motion.
     fn exact_toi(&self, d: Raw) -> Toi;
     /// A lower bound of the moment (where it is a fraction, the exact floor), the displacement up
-    /// to it, and the normal toward the moving shape. The displacement is rounded to where the
-    /// shapes do not overlap.
+    /// to it, and the normal toward the moving shape. The displacement is rounded to a position at
+    /// which the shapes do not overlap.
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis);
 }
 
@@ -37,7 +37,7 @@ pub(super) const fn exchanged((toi, step, axis): (Toi, Raw, Axis)) -> (Toi, Raw,
     (toi, step.reversed(), axis.reversed())
 }
 
-/// The fate of a motion.
+/// The result of a motion.
 #[derive(Clone, Copy, Debug)]
 pub enum Course<M> {
     /// It starts no overlap.
@@ -55,7 +55,7 @@ impl<M> Course<M> {
         met.map_or(Self::Free, Self::Meets)
     }
 
-    /// A second question about what is met.
+    /// A second question about the boundary that is met.
     #[inline]
     pub(super) fn then<N>(self, f: impl FnOnce(M) -> Option<N>) -> Course<N> {
         match self {
@@ -95,21 +95,21 @@ pub trait Enter<B: ?Sized>: InDomain {
     /// The hit of the motion `d`, below 2^29 per component. Its end may be outside the domain.
     fn enter(&self, b: &B, d: Raw) -> Course<Self::Moment>;
 
-    /// The same with the answer of [`Moment::contact`], for which a pair with several kinds of
-    /// boundary need not store which one it was.
+    /// [`enter`](Self::enter), with the answer of [`Moment::contact`]. A pair with several kinds of
+    /// boundary then does not have to store which one it was.
     #[inline]
     fn first_contact(&self, b: &B, d: Raw) -> Course<(Toi, Raw, Axis)> {
         self.enter(b, d).map(|moment| moment.contact(d))
     }
 
-    /// A displacement up to the hit of `d`, led back to where it overlaps nothing of `b`. A single
-    /// shape's own is rounded to such a place.
+    /// A displacement up to the hit of `d`, moved back until it overlaps nothing of `b`. For a
+    /// single shape, the displacement is already rounded to such a position.
     #[inline]
     fn led_back(&self, _b: &B, _d: Raw, step: Raw) -> Raw {
         step
     }
 
-    /// The same without what times are computed from.
+    /// This answer without the numbers from which times are computed.
     #[inline]
     fn hits(&self, b: &B, d: Raw) -> Course<()> {
         self.enter(b, d).map(|_| ())
@@ -132,7 +132,7 @@ impl InDomain for Segment {}
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Inside {
-    /// It passes through to the first free position, and may hit after that.
+    /// The motion continues to the first free position, and may hit after that.
     #[default]
     Ignore,
     /// It hits at once.
@@ -143,44 +143,45 @@ pub enum Inside {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("RaycastHit", "sweep result"))]
 pub struct CastHit {
-    /// When: a fraction of the motion. The exact floor in 2^-30 where straight sides meet, and of a
-    /// circle that meets a side along x or y; of other circles a lower bound, early by less than a
-    /// raw unit of way. [`exact_toi`](super::CastShape::exact_toi) is exact for all.
+    /// The time of the hit: a fraction of the motion, 0 to 1. It is the exact floor in 2^-30 if
+    /// straight sides meet, and for a circle that meets a side along x or y. For other circles it
+    /// is a lower bound, early by less than a raw unit of travel.
+    /// [`exact_toi`](super::CastShape::exact_toi) is exact for all.
     pub toi: Toi,
     /// The normal at the hit, from B toward A, against the motion. It is never zero, and has length
-    /// one where it is parallel to x or y. Of straight sides it is exact. Of two circles, or of a
-    /// corner that a circle hits, it leads from the one centre, or the corner, to the other centre
-    /// at its position now. It is as fine as the radius is large. In the closest graze it is across
-    /// the motion, give or take that rounding.
+    /// one if it is parallel to x or y. For straight sides it is exact. For two circles, or a
+    /// corner that a circle hits, it points from the one centre, or the corner, to the other centre
+    /// at the hit. Its resolution grows with the radius. In the closest graze it is perpendicular
+    /// to the motion, within that rounding.
     pub axis: Axis,
-    /// How far A goes until the hit: `position + displacement` touches B, or is less than 2 raw
-    /// units short of it, and does not overlap it. A motion longer than 4096 units may end four raw
-    /// units short. Where a [`Compound`](crate::shape::Compound) is met between two parts, it is
-    /// led back to where it overlaps neither.
+    /// How far A moves until the hit. At `position + displacement` it touches B, or is less than 2
+    /// raw units short of it, and does not overlap it. A motion longer than 4096 units may end four
+    /// raw units short. If a [`Compound`](crate::shape::Compound) is met between two parts, the
+    /// displacement is reduced until it overlaps neither.
     ///
     /// Along an axis parallel to x or y it is exact. Each component is between zero and that of the
-    /// motion: where the motion stays in the domain, so does the moved shape.
+    /// motion. So if the motion stays in the domain, the moved shape does, too.
     pub displacement: Vec2,
-    /// Whether they overlapped before the motion: only with [`Inside::Hit`]. The displacement is
-    /// zero then, and the axis is along the larger component of the motion (x on a tie), against
-    /// it; +x for no motion.
+    /// Whether the shapes overlapped before the motion; only with [`Inside::Hit`]. The displacement
+    /// is then zero, and the axis is opposite to the larger component of the motion (x on a tie).
+    /// Without motion it is +x.
     pub inside: bool,
 }
 
 /// The hit of two moving shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MovingHit {
-    /// When, as [`CastHit::toi`], in parts of either motion.
+    /// The time of the hit, as [`CastHit::toi`], in parts of either motion.
     pub toi: Toi,
     /// The exact normal, out of B toward A.
     pub axis: Axis,
-    /// How far A goes until the hit.
+    /// How far A moves until the hit.
     pub displacement: Vec2,
-    /// How far B goes until the hit. Moved by these the two do not overlap: they are
-    /// [`displacement`](CastHit::displacement) apart in motion, and B's is rounded toward its
+    /// How far B moves until the hit. At these positions the two do not overlap. The difference of
+    /// both is the [`displacement`](CastHit::displacement), and that of B is rounded toward its
     /// start.
     pub displacement_b: Vec2,
-    /// Whether they overlapped before the motion, as [`CastHit::inside`].
+    /// Whether the shapes overlapped before the motion, as [`CastHit::inside`].
     pub inside: bool,
 }
 

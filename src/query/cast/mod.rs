@@ -24,14 +24,14 @@ pub use kernel::{CastHit, Inside, MovingHit};
 
 /// Moves a shape until it hits another one.
 ///
-/// A hit is where the motion starts an overlap, in the strict sense of
-/// [`Overlaps`](super::Overlaps); whether there is one is exact. A shape that touches and moves in
-/// hits at 0. One that slides along, moves away, only grazes, or touches at the very end does not
-/// hit. Without motion there is no hit.
+/// A hit is the start of an overlap, in the strict sense of [`Overlaps`](super::Overlaps). Whether
+/// there is one is decided exactly. A shape that touches and moves in hits at 0. One that slides
+/// along, moves away, only grazes, or touches at the very end does not hit. Without motion there is
+/// no hit.
 ///
-/// Shapes that overlap before the motion are the caller's choice: [`Inside::Ignore`] lets A leave B
-/// without a hit, [`Inside::Hit`] is a hit at 0. The normal is that of
-/// [`motion::Hit`](crate::motion::Hit) and of rays: out of B, toward what moves.
+/// You choose the result for shapes that overlap before the motion. [`Inside::Ignore`] lets A leave
+/// B without a hit, and [`Inside::Hit`] is a hit at 0. The normal is that of
+/// [`motion::Hit`](crate::motion::Hit) and of rays: out of B, toward the moving shape.
 ///
 /// ```text
 ///    +----+  motion  +----+
@@ -40,19 +40,20 @@ pub use kernel::{CastHit, Inside, MovingHit};
 ///         <----------->     +-----+      axis         <-, out of B
 /// ```
 ///
-/// A hit at one moment on two sides, corner to corner, is on the one that opposes the motion more,
-/// then on the one whose axis is more along x. Exchanging A and B and reversing the motion gives
-/// the same time, and displacement and axis reversed. Translated scenes give the same bits.
+/// If two sides are hit at the same moment (corner to corner), the hit is on the side that opposes
+/// the motion more. On a tie it is on the side whose axis is more along x. Exchanging A and B and
+/// reversing the motion gives the same time, and displacement and axis reversed. Translated scenes
+/// give the same bits.
 ///
 /// Mirrored scenes give mirrored bits, with one exception. If the motion is along x or y, two sides
 /// or corners that it meets at one moment may have axes that mirror each other at it. The hit is
-/// then on the one whose axis leads to the left of the motion (y up): in a mirrored scene it is on
+/// then on the one whose axis points to the left of the motion (y up). In a mirrored scene it is on
 /// the other one, and the axis may have another length.
 ///
-/// Cost on a Cortex-M0, in instructions, of a yes and of a whole hit: boxes 160 and 335, circles
-/// 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1170 and 2390, a box
-/// and a segment 1210 and 2190. There is one root where a circle meets a circle, a corner or a
-/// slanted side, else none, and no division instruction.
+/// Cost on a Cortex-M0, in instructions for a yes and for a whole hit: boxes take 160 and 335,
+/// circles 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1170 and
+/// 2390, a box and a segment 1210 and 2190. There is one root if a circle meets a circle, a corner
+/// or a slanted side, else none, and no division instruction.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -64,7 +65,7 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// assert_eq!(hit.displacement, Vec2::from_ints(20, 2));
 /// assert!(!player.translated(hit.displacement)?.overlaps(&crate_));
 ///
-/// // Exactly up to it is no hit, one raw unit more is.
+/// // A motion exactly up to it is no hit, but one raw unit more is.
 /// assert!(!player.would_hit(&crate_, Vec2::from_ints(20, 0), Inside::Hit)?);
 /// assert!(player.would_hit(&crate_, Vec2::from_raw((20 << 16) + 1, 0), Inside::Hit)?);
 /// # Ok::<(), tilesat::RangeError>(())
@@ -72,10 +73,10 @@ pub use kernel::{CastHit, Inside, MovingHit};
 ///
 /// # Errors
 /// All methods: [`RangeError`] if a component of a motion is not below 2^28 raw (4096 units), or a
-/// point is outside the [domain](crate::num::DOMAIN). A motion may lead out of the domain, and so
-/// may the displacement; `translated` says so.
+/// point is outside the [domain](crate::num::DOMAIN). A motion may leave the domain, and so may the
+/// displacement; `translated` then returns an error.
 pub trait CastShape<B: ?Sized>: Enter<B> {
-    /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` where it does not start to
+    /// The hit of this shape (A), moved by `motion`, on `b` (B); `None` if it does not start to
     /// overlap.
     ///
     /// # Errors
@@ -87,7 +88,7 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
         Ok(first(self, b, Raw::of(motion), inside))
     }
 
-    /// Whether [`cast_shape`](Self::cast_shape) hits: the same answer without time, place and
+    /// Whether [`cast_shape`](Self::cast_shape) hits, without the time, the position and the
     /// normal.
     ///
     /// # Errors
@@ -105,9 +106,9 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
 
     /// The exact floor of the time of the hit, in 2^-30 of the motion.
     ///
-    /// Any other [`CastHit::toi`] is exact already. Circles that meet circles, corners and slanted
-    /// segments settle it by exact comparisons: some 400 instructions on a Cortex-M0 for each bit
-    /// that the bound is short.
+    /// Any other [`CastHit::toi`] is exact already. If a circle meets a circle, a corner or a
+    /// slanted segment, exact comparisons find it: some 400 instructions on a Cortex-M0 for each
+    /// bit that the bound is short.
     ///
     /// ```
     /// use tilesat::prelude::*;
@@ -133,7 +134,7 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
 
     /// The hit of two shapes that both move: this one by `motion`, `b` by `motion_b`.
     ///
-    /// Exact as [`cast_shape`](Self::cast_shape) by the difference of the motions is.
+    /// It is as exact as [`cast_shape`](Self::cast_shape) with the difference of the motions.
     ///
     /// ```
     /// use tilesat::prelude::*;
@@ -174,8 +175,8 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
 /// The component `d` times `made / whole`, toward zero, which is a part of the motion between 0 and
 /// 1.
 ///
-/// With it A makes `made` more, that is its own component times the same fraction, rounded to an
-/// integer: neither leaves its motion.
+/// With it A moves `made` farther, which is its own component times the same fraction, rounded to
+/// an integer. So neither leaves its motion.
 pub(super) const fn share(d: i32, made: i32, whole: i32) -> i32 {
     if made == 0 {
         return 0;
@@ -204,8 +205,8 @@ fn first<A: Enter<B> + ?Sized, B: ?Sized>(a: &A, b: &B, d: Raw, inside: Inside) 
 fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError> {
     shape.check()?;
     let (x, y) = motion.raw();
-    // Half of what is allowed settles it for both components at once. The constant of that takes a
-    // chip without long immediates more than it saves.
+    // A test against half of the limit decides both components at once. On a chip without long
+    // immediates, its constant costs more than that saves.
     let half = |d: i32| d.wrapping_add(MOTION / 2) as u32;
     let fits = |d: i32| (d.wrapping_add(MOTION - 1) as u32) < (2 * MOTION - 1) as u32;
     let small = if LONG { half(x) | half(y) < MOTION as u32 } else { fits(x) && fits(y) };
@@ -213,7 +214,7 @@ fn check<S: InDomain + ?Sized>(shape: &S, motion: Vec2) -> Result<(), RangeError
 }
 
 /// One ordered pair and its kernel, another one for a yes or no, and one for the contact. Large
-/// kernels are calls, which keeps their stack and flash out of the caller.
+/// kernels are calls, so their stack and flash stay out of the caller.
 macro_rules! casts {
     ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr $(, $contact:expr)?)?) => {
         impl Enter<$b> for $a {

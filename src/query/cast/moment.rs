@@ -59,7 +59,7 @@ pub(crate) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
     ratio(num, umul(sum, into))
 }
 
-/// `num / den` rounded down, at most one, for a divisor up to 2^31; nothing of nothing is nothing.
+/// `num / den` rounded down, at most one, for a divisor up to 2^31; 0 for 0 / 0.
 fn quotient(num: u64, den: u32) -> Toi {
     if num != 0 && num >= u64::from(den) {
         return Toi::ONE;
@@ -80,7 +80,7 @@ fn word(n: u64) -> (u32, u32) {
     ((n >> shift) as u32, shift)
 }
 
-/// The same rounded up: at most 2^31.
+/// [`word`] rounded up: at most 2^31.
 fn word_up(n: u64) -> (u32, u32) {
     let (word, shift) = word(n);
     (if u64::from(word) << shift == n { word } else { word.wrapping_add(1) }, shift)
@@ -163,8 +163,8 @@ pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
 }
 
 /// Whether, at the moment T when the disc meets the face's line, the centre is not before an end:
-/// `u = dir . m(T) >= 0` for the start with `m` the centre as seen from it, the same with -dir for
-/// the face's end (`at_end`).
+/// `u = dir . m(T) >= 0` for the start, with `m` the centre relative to it, and with -dir for the
+/// face's end (`at_end`).
 #[inline]
 pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
     match pass_end(m, d, dir, at_end) {
@@ -362,13 +362,13 @@ pub struct Disc {
     crossing: Crossing,
 }
 
-/// The disc of radius `r` around `b`, as the point `a` that moves by `d` comes into it.
+/// The disc of radius `r` around `b`, as the point `a` that moves by `d` enters it.
 #[inline]
 pub(super) fn enter_disc(a: Raw, b: Raw, r: i32, d: Raw) -> Course<Disc> {
     if is_inside(a, b, r) { Course::Inside } else { Course::of(meet_disc(a.sub(b), r, d)) }
 }
 
-/// The same without a time.
+/// [`enter_disc`] without a time.
 #[inline]
 pub(super) fn hit_disc(a: Raw, b: Raw, r: i32, d: Raw) -> Course<()> {
     if is_inside(a, b, r) { Course::Inside } else { Course::of(enters(a.sub(b), r, d).then_some(())) }
@@ -381,7 +381,7 @@ fn is_inside(a: Raw, b: Raw, r: i32) -> bool {
     if SPLIT { circle_circle::<false>(a, b, r) } else { (m.dot(m) as u64) < usqr(r as u32) }
 }
 
-/// The same for a start outside, seen from the disc's centre.
+/// [`enter_disc`] for a start outside, relative to the disc's centre.
 #[inline]
 pub(in crate::query) fn meet_disc(m: Raw, r: i32, d: Raw) -> Option<Disc> {
     Crossing::of(m, r, d).map(|crossing| Disc { m, crossing })
@@ -393,15 +393,16 @@ pub(super) fn corner_contact(m: Raw, r: i32, d: Raw) -> Option<(Toi, Raw, Axis)>
     meet_disc(m, r, d).map(|disc| disc.contact(d))
 }
 
-/// The same of a ray, which touching stops; with the bound of its time.
+/// [`meet_disc`] for a ray, which touching stops; with the bound of its time.
 pub(in crate::query) fn touch_disc(m: Raw, r: i32, d: Raw) -> Option<(Toi, Disc)> {
     Crossing::touching(m, r, d).map(|crossing| (crossing.toi(m), Disc { m, crossing }))
 }
 
 impl Disc {
-    /// Of two that are met at one moment, the one with the lesser key opposes the motion more, then
-    /// is less beside its line, then farther along x. The same for exchanged and for mirrored
-    /// shapes. Of two that mirror each other at a motion along x or y it is the one on the left.
+    /// A key to order two discs that are met at the same moment. The lesser one opposes the motion
+    /// more, then is less beside its line, then farther along x. Exchanged and mirrored shapes give
+    /// the same order. If the two mirror each other at a motion along x or y, it is the one on the
+    /// left.
     pub(in crate::query) const fn order(&self) -> (Reverse<u64>, u64, Reverse<u32>, i64) {
         let Crossing { b, cross, .. } = self.crossing;
         (Reverse(b), cross.unsigned_abs(), Reverse(self.m.x.unsigned_abs()), cross)

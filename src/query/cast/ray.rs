@@ -12,15 +12,15 @@ use crate::shape::{Aabb, Circle, Segment};
 
 impl Aabb {
     /// The first point of the closed box that a ray from `origin` along `motion` meets, or `None`
-    /// where it ends before.
+    /// if it ends before.
     ///
     /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A ray that moves
     /// against the normal of a side hits it, ends and the very end of the motion included. Touching
-    /// a corner is a hit; of the two sides at a corner the x one. A start on the border is not
-    /// inside: a ray that moves in hits at 0. Leaving, passing a corner and sliding along are no
-    /// hits. A ray that starts on a box without width or height, and leaves its line, hits it too.
+    /// a corner is a hit, on the side across x. A start on the border is not inside: a ray that
+    /// moves in hits at 0. Leaving, passing a corner and sliding along are no hits. A ray that
+    /// starts on a box without width or height, and leaves its line, hits it, too.
     ///
-    /// [`CastHit::displacement`] is the way from `origin` to the point: exact along the axis,
+    /// [`CastHit::displacement`] is the vector from `origin` to the point: exact along the axis,
     /// rounded toward the start along the side.
     ///
     /// ```
@@ -46,15 +46,15 @@ impl Aabb {
 }
 
 impl Circle {
-    /// The first point of the disc that a ray from `origin` along `motion` meets, or `None` where
+    /// The first point of the disc that a ray from `origin` along `motion` meets, or `None` if
     /// it ends before.
     ///
-    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray): a hit is where the
-    /// ray comes into the disc, at the very end of the motion too; a tangent is none. From the rim
-    /// moving in hits at 0. A circle of radius zero is a point, which the ray hits where it comes
-    /// through it.
+    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray): a hit is the point
+    /// at which the ray enters the disc, even at the very end of the motion. A tangent is no hit. A
+    /// ray that starts on the rim and moves in hits at 0. A circle of radius zero is a point, which
+    /// a ray through it hits.
     ///
-    /// The time is a lower bound, early by less than a raw unit of way for motions up to 4096
+    /// The time is a lower bound, early by less than a raw unit of travel for motions up to 4096
     /// units, and by less than four for any. The point is outside the circle, less than 2 raw from
     /// it.
     ///
@@ -88,14 +88,14 @@ impl Circle {
 
 impl Segment {
     /// The first point of the segment that a ray from `origin` along `motion` meets, or `None`
-    /// where it ends before.
+    /// if it ends before.
     ///
-    /// Exact and closed: ends and the very end of the motion included. The axis is the side's that
-    /// the ray comes from. A ray that comes along the segment's own line hits its end, with the
-    /// axis along the segment. There is no inside to start in: from on it the segment is hit at 0,
-    /// unless the ray runs along it.
+    /// Exact and closed: ends and the very end of the motion count. The axis is that of the side
+    /// from which the ray comes. A ray along the segment's line hits its end, with the axis along
+    /// the segment. A segment has no inside: a ray that starts on it hits at 0, unless the ray runs
+    /// along it.
     ///
-    /// The point is rounded to the side that the ray comes from, each coordinate by less than one
+    /// The point is rounded to the side from which the ray comes, each coordinate by less than one
     /// raw unit. It is exact along a segment's axis that is parallel to x or y. Cost: two or three
     /// long divisions, none for segments along x and y.
     ///

@@ -225,8 +225,8 @@ pub(super) fn gate(circle: &Circle, s: &Segment, d: Raw) -> Course<CapsuleGate> 
         FacedSegment::Away => Course::Free,
         FacedSegment::Straight => straight_gate(circle, s, d),
         FacedSegment::Slanted(slanted) => slanted.part(d).map(|part| match part {
-            SlantedPart::Slope { into } => CapsuleGate::Slope(slanted.slope(into)),
-            SlantedPart::End(end) => CapsuleGate::Rounded(boxes::BoxGate::Corner(end)),
+            SidePart::Slope { into } => CapsuleGate::Slope(slanted.slope(into)),
+            SidePart::End(end) => CapsuleGate::Rounded(boxes::BoxGate::Corner(end)),
         }),
     }
 }
@@ -238,13 +238,13 @@ pub(super) fn contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(Toi, Raw,
         FacedSegment::Away => Course::Free,
         FacedSegment::Straight => boxes::straight_contact(circle, s, d),
         FacedSegment::Slanted(slanted) => slanted.part(d).then(|part| match part {
-            SlantedPart::Slope { into } => Some(slanted.slope(into).contact(d)),
-            SlantedPart::End(end) => corner_contact(circle.c().sub(end), circle.r(), d),
+            SidePart::Slope { into } => Some(slanted.slope(into).contact(d)),
+            SidePart::End(end) => corner_contact(circle.c().sub(end), circle.r(), d),
         }),
     }
 }
 
-/// A segment as a circle comes to it.
+/// A segment that a circle meets.
 enum FacedSegment {
     /// It overlaps nothing: it has no radius, or does not come near.
     Away,
@@ -296,7 +296,7 @@ struct Slanted {
 }
 
 /// The only part of a slanted capsule that a motion can come in through.
-enum SlantedPart {
+enum SidePart {
     /// The side, which it does come through: this much of the way leads to the line.
     Slope { into: u64 },
     /// The disc around an end.
@@ -319,7 +319,7 @@ impl Slanted {
     }
 
     #[inline(always)]
-    fn part(&self, d: Raw) -> Course<SlantedPart> {
+    fn part(&self, d: Raw) -> Course<SidePart> {
         let Self { c, r, a, b, e, m, cross, u, len2, reach } = *self;
         let gap = cross.unsigned_abs();
         if is_below(gap, reach) {
@@ -331,11 +331,7 @@ impl Slanted {
             } else {
                 return Course::Inside;
             };
-            return if circle_circle::<false>(c, end, r) {
-                Course::Inside
-            } else {
-                Course::Meets(SlantedPart::End(end))
-            };
+            return if circle_circle::<false>(c, end, r) { Course::Inside } else { Course::Meets(SidePart::End(end)) };
         }
         let (left, d) = (self.is_left(), Offset::of_raw(d));
         let turn = e.cross(d);
@@ -345,7 +341,7 @@ impl Slanted {
             return Course::Free;
         }
         let du = e.dot(d);
-        // As seen from an end; `turned` where the outer side is on the right then.
+        // Relative to an end; `turned` if the outer side is then on the right.
         let meets = |u: i64, du: i64, from: Offset, turned: bool| {
             let cross = || {
                 let cross = from.cross(d);
@@ -357,11 +353,11 @@ impl Slanted {
             }
         };
         Course::Meets(if !meets(u, du, m, left) {
-            SlantedPart::End(a)
+            SidePart::End(a)
         } else if !meets((len2 as i64).wrapping_sub(u), du.wrapping_neg(), m.sub(e), !left) {
-            SlantedPart::End(b)
+            SidePart::End(b)
         } else {
-            SlantedPart::Slope { into: into as u64 }
+            SidePart::Slope { into: into as u64 }
         })
     }
 

@@ -28,10 +28,10 @@ impl Contact {
         Fx::from_bits(self.depth_raw())
     }
 
-    /// The [depth](Self::depth) and the [normal](Self::normal), for those who want both.
+    /// The [depth](Self::depth) and the [normal](Self::normal) in one call.
     ///
-    /// The same bits as one by one. On 64-bit processors both come from one reciprocal root, which
-    /// is faster.
+    /// The bits are those of the two methods. On 64-bit processors both come from one reciprocal
+    /// root, which is faster.
     ///
     /// ```
     /// use tilesat::prelude::*;
@@ -62,10 +62,10 @@ impl Contact {
     /// A displacement of A after which the two do not overlap: against the axis, each component
     /// rounded away from zero.
     ///
-    /// Exact where the axis is parallel to x or y. Else a component is at most 4 raw units longer
-    /// than the exact least exit needs, or 5 where the depth or the sum of radii is above 8192
-    /// units. The result may lead out of the [domain](crate::num::DOMAIN); `translated` then
-    /// returns an error.
+    /// Exact if the axis is parallel to x or y. Otherwise a component is at most 4 raw units longer
+    /// than the exact least exit needs, or 5 if the depth or the sum of radii is above 8192 units.
+    /// The result may lead out of the [domain](crate::num::DOMAIN); `translated` then returns an
+    /// error.
     ///
     /// Cost on a Cortex-M0: 30 instructions along x and y, 310 for circles, 1050 beside sloped
     /// segments, where the depth is computed first.
@@ -88,8 +88,8 @@ impl Contact {
             return Vec2::from_raw(x.wrapping_neg().wrapping_mul(d), y.wrapping_neg().wrapping_mul(d));
         }
         // Each component below is at least the exact one in size and has its sign. So with n the
-        // axis, n.push is at least |n| times the depth: afterwards a line across n has A on one
-        // side and B on the other, and convex shapes that a line separates do not overlap.
+        // axis, n.push is at least |n| times the depth. Afterwards a line across n has A on one
+        // side and B on the other. Convex shapes that a line separates do not overlap.
         let (ux, uy) = unit_ceil(self.axis);
         // Radial: the cores are `axis` apart and have to be radii / |axis| times as far. The
         // difference of the two has the right sign.
@@ -104,9 +104,9 @@ impl Contact {
 
     /// The point of A that lies deepest in B, within 2 raw units per component.
     ///
-    /// If a whole side of a box is equally deep: the middle of the part that faces B. Cost: at most
-    /// a unit vector and two long divisions, some thousand instructions on a Cortex-M0. For boxes
-    /// it is exact and takes a few instructions.
+    /// If a whole side of a box is equally deep, it is the middle of the part that faces B. Cost:
+    /// at most a unit vector and two long divisions, some thousand instructions on a Cortex-M0. For
+    /// boxes it is exact and takes a few instructions.
     ///
     /// ```
     /// use tilesat::{Aabb, Vec2, prelude::*};
@@ -199,7 +199,7 @@ const fn radial_exit(axis: Axis, n: u64, radii: i32) -> (u64, i32) {
     (unit_by(axis, inverse).packed(), radii.wrapping_sub(inverse.root(n) as i32))
 }
 
-/// The same for another one.
+/// The unit vector and the depth of a contact that is not radial.
 #[inline(never)]
 const fn sloped_exit(axis: Axis, n: u64, overlap: i64, radii: i32) -> (u64, i32) {
     let inverse = InverseRoot::called(n);
@@ -216,7 +216,7 @@ const fn ceil(radii: i32, overlap: i64, n: u64, floor: u32) -> i32 {
     radii.wrapping_add(floor as i32).wrapping_add(!exact as i32)
 }
 
-/// A magnitude in Q30 times a length below 2^30, rounded up, one unit more where it is whole.
+/// A magnitude in Q30 times a length below 2^30, rounded up, one unit more if it is whole.
 ///
 /// Depths are below 2^30 as well: the normal of a segment is the axis only where it gives less
 /// than x and y do.

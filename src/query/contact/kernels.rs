@@ -143,8 +143,8 @@ fn circle_segment(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact
     Some(contact.with_radii(r, 0))
 }
 
-/// The same without a look at the bounding box, as [`meet::circle_segment`] has it, and all seen
-/// from the first end, which takes the fewest registers.
+/// The contact without a test of the bounding box, as in [`meet::circle_segment`], and relative to
+/// the first end, which takes the fewest registers.
 #[inline(always)]
 fn by_region(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact> {
     let (e, m) = (Offset::between(a, b), Offset::between(a, c));

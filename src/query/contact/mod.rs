@@ -1,4 +1,4 @@
-//! How two shapes overlap: how deep, which way out, and where.
+//! How two shapes overlap: how deep, where, and in which direction is the way out.
 
 mod answers;
 mod kernels;
@@ -39,10 +39,10 @@ use crate::num::{Axis, Raw, UnitVec2};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias("Manifold", "collision"))]
 pub struct Contact {
-    /// From A to B, not zero; of length one where it is parallel to x or y.
+    /// From A to B, not zero; of length one if it is parallel to x or y.
     pub(crate) axis: Axis,
-    /// How far the cores overlap along the axis, times the axis' length: negative where they are
-    /// apart and only the radii overlap. Not used where `radial` is set.
+    /// How far the cores overlap along the axis, times the length of the axis. Negative if they are
+    /// apart and only the radii overlap. Not used if `radial` is set.
     pub(crate) overlap: i64,
     /// The deepest point of one core; the deepest of the other is `axis * overlap / axis^2` away.
     pub(crate) core: Raw,
@@ -59,8 +59,8 @@ pub struct Contact {
 impl Contact {
     /// The contact normal as exact integers, from A to B; never zero.
     ///
-    /// Its length means nothing: it is whatever makes it exact. Parallels to x and y have length
-    /// one.
+    /// Its length has no meaning: it is chosen so that the components are exact. Parallels to x and
+    /// y have length one.
     #[must_use]
     pub const fn axis(&self) -> Axis {
         self.axis
@@ -75,7 +75,7 @@ impl Contact {
         self.axis.unit()
     }
 
-    /// Whether there was more than one least exit. The axis is then a convention, not geometry.
+    /// Whether there was more than one least exit. The axis then follows a convention.
     ///
     /// The convention: x before y before the normal of a segment, and the positive direction of x
     /// and y; for a segment the normal `(-e.y, e.x)` of its edge `e` from the lexicographically
@@ -98,7 +98,7 @@ impl Contact {
         Self { axis, overlap, core, core_on_b: false, radius_a: 0, radius_b: 0, radial: false, degenerate: false }
     }
 
-    /// The contact of two points `v` apart, seen from the core of A. Zero gives +x.
+    /// The contact of two points `v` apart, from the core of A. Zero gives +x.
     #[inline]
     pub(crate) const fn radial(core: Raw, v: Raw) -> Self {
         let axis = parallel_to_unit(v);
@@ -123,7 +123,7 @@ impl Contact {
         Self { degenerate, ..self }
     }
 
-    /// The same contact seen from B.
+    /// The contact in the order (B, A).
     const fn flipped(self) -> Self {
         Self {
             axis: self.axis.reversed(),
@@ -135,7 +135,7 @@ impl Contact {
     }
 }
 
-/// A direction as an axis. Parallels to x and y get length one, which makes everything about them
+/// A direction as an axis. Parallels to x and y have length one, which makes everything about them
 /// exact. Zero gives +x.
 const fn parallel_to_unit(v: Raw) -> Axis {
     if v.y == 0 {
@@ -147,12 +147,12 @@ const fn parallel_to_unit(v: Raw) -> Axis {
     }
 }
 
-/// How two shapes overlap, where they do.
+/// How two shapes overlap, if they do.
 ///
-/// `Some` exactly where [`overlaps`](super::Overlaps::overlaps) is true. Exact; the methods of
-/// [`Contact`] round. Cost on a Cortex-M0: about 130 instructions for boxes and circles, 550 for a
-/// circle and a segment, and some hundred more for a segment against a box or a segment. There is
-/// no root and no division. It cannot fail.
+/// `Some` exactly if [`overlaps`](super::Overlaps::overlaps) is true. The contact is exact; the
+/// methods of [`Contact`] round. Cost on a Cortex-M0: about 130 instructions for boxes and circles,
+/// 550 for a circle and a segment, and some hundred more for a segment against a box or a segment.
+/// There is no root and no division. It cannot fail.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -168,7 +168,7 @@ const fn parallel_to_unit(v: Raw) -> Axis {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait Contacts<B: ?Sized> {
-    /// How this shape (A) overlaps `b` (B); `None` where it does not.
+    /// How this shape (A) overlaps `b` (B); `None` if it does not.
     #[must_use]
     #[doc(alias("collide", "manifold"))]
     fn contact(&self, b: &B) -> Option<Contact>;

@@ -1,4 +1,4 @@
-//! The way out over a side of the sum of two shapes.
+//! The exit over a side of the sum of two shapes.
 
 use super::walk::PolygonSide;
 use crate::num::{Axis, Raw};

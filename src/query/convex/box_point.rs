@@ -1,4 +1,4 @@
-//! A box in any direction and a point: what circles ask it.
+//! A box in any direction and a point, for the queries of circles.
 
 use super::across::over;
 use super::nearness::{Least, Nearness, Unsure};
@@ -7,7 +7,7 @@ use crate::query::contact::Contact;
 use crate::query::meet::{Offset, is_within, near_line};
 use crate::shape::Convex;
 
-/// A point seen from the middle of a box with area.
+/// A point relative to the middle of a box with area.
 pub(super) struct BoxPoint {
     /// Half of the sides, the second one on the left of the first (y up).
     u: Offset,
@@ -149,7 +149,7 @@ impl BoxPoint {
         }
     }
 
-    /// How they overlap; an error where two sides are as near, or nearly.
+    /// How they overlap; an error if two sides are as near, or nearly.
     #[inline]
     pub(super) fn contact(&self) -> Result<Option<Contact>, Unsure> {
         let part = self.part();

@@ -50,8 +50,8 @@ impl Parallelogram {
             let leading = margins(sides.map(|e| short(e, shift)), |e, f| short_cross(e, f).wrapping_abs());
             let least = leading.iter().fold(i32::MAX, |least, m| least.min(*m));
             // A component loses less than one. So a product of two sides is off by less than the
-            // sum of their components and one, 2^16 + 1, one with `d` by 2^16 + 2^15 + 1, and the
-            // sum of four by less than this.
+            // sum of their components and one, 2^16 + 1. One with `d` is off by less than 2^16 +
+            // 2^15 + 1, and the sum of four by less than this.
             if least.wrapping_abs() > 5 << 16 {
                 return least > 0;
             }
@@ -61,8 +61,8 @@ impl Parallelogram {
     }
 }
 
-/// The side of the sum of two boxes that is nearest to the origin; none where they do not overlap,
-/// and an error where another side is as near, or nearly.
+/// The side of the sum of two boxes that is nearest to the origin; none if they do not overlap,
+/// and an error if another side is as near, or nearly.
 ///
 /// The margin across a side is twice the height of the nearer one of two opposite sides.
 pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<PolygonSide>, Unsure> {
@@ -85,7 +85,7 @@ pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Pol
     Ok(Some(side_toward(p, q, (k, side), toward < 0).0))
 }
 
-/// Where the origin is relative to the sum of two boxes; none where sides of both make up one.
+/// Where the origin is relative to the sum of two boxes; none if sides of both make up one.
 pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<NearestPart> {
     let d = q.middle.sub(p.middle);
     let sides = [p.u, p.v, q.u, q.v];
@@ -107,14 +107,14 @@ pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<NearestPart>
     Some(nearest.place())
 }
 
-/// How two boxes overlap; an error where two sides are as near, or nearly.
+/// How two boxes overlap; an error if two sides are as near, or nearly.
 pub(super) fn contact(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Contact>, Unsure> {
     let side = nearest(p, q)?;
     Ok(side.map(|side| across(&side, p.corner(side.a), q.corner(side.b))))
 }
 
-/// Of two opposite sides of the sum, which is parallel to no others, the one with the origin before
-/// it or nearer to it, and the corners that it ends at. The sum's middle is on the left of that.
+/// The one of two opposite sides of the sum, parallel to no others, that has the origin before it
+/// or nearer to it, and the corners at which it ends. The sum's middle is on the left of that.
 fn side_toward(
     p: &Parallelogram,
     q: &Parallelogram,
@@ -142,7 +142,7 @@ pub(super) const fn spread(v: Raw) -> u32 {
     ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
 }
 
-/// How far to shift so that what these bits bound has so many at most, and a sign.
+/// How far to shift numbers that these bits bound, so they fit the given number of bits and a sign.
 pub(super) const fn shift_to(count: u32, bits: u32) -> u32 {
     (32 - count).saturating_sub(leading_zeros32(bits)) & 31
 }

@@ -1,4 +1,4 @@
-//! Two segments with a radius around each: what capsules ask each other.
+//! Two segments with a radius around each, for pairs of capsules.
 
 use super::across::across;
 use super::nearness::Unsure;
@@ -28,7 +28,7 @@ impl Capsules {
         self.radii.0.wrapping_add(self.radii.1)
     }
 
-    /// Whether they overlap, or touch. None where the segments are parallel.
+    /// Whether they overlap, or touch. None if the segments are parallel.
     #[inline(always)]
     pub(super) fn meet<const CLOSED: bool>(&self) -> Option<bool> {
         TwoSegments::of(self.a, self.b).map(|both| both.meet::<CLOSED>(self.radius()))
@@ -45,7 +45,7 @@ impl Capsules {
         self.place().map(|place| place.distance())
     }
 
-    /// How they overlap; an error where the segments cross, are parallel or touch.
+    /// How they overlap; an error if the segments cross, are parallel or touch.
     #[inline(always)]
     pub(super) fn contact(&self) -> Result<Option<Contact>, Unsure> {
         let place = self.place().ok_or(Unsure)?;

@@ -1,9 +1,8 @@
 //! When a moving shape starts to overlap another one.
 //!
-//! As seen from B, the motion of A moves the origin against the sum. Without radii it comes in
-//! where it is last before one of the sides, if it has not left another one by then. With radii it
-//! comes in through a side moved out by them, between its ends, or else through the disc around a
-//! corner.
+//! Relative to B, the motion of A moves the origin against the sum. Without radii it enters where
+//! it is last before one of the sides, if it has not left another one by then. With radii it enters
+//! through a side moved out by them, between its ends, or else through the disc around a corner.
 
 use super::across::over;
 use super::short_place::place_of;
@@ -144,7 +143,7 @@ fn through(side: &PolygonSide, radius: i32, d: Raw) -> Option<ConvexGate> {
     if is_below(gap, reach) || (gap >= into && !is_below(gap.wrapping_sub(into), reach)) {
         return None;
     }
-    // Seen from the side's ends, in B's sense of direction.
+    // Relative to the side's ends, in B's sense of direction.
     let dir = Axis::new(side.edge.x.wrapping_neg(), side.edge.y.wrapping_neg());
     if !meets_beyond(side.from, d, dir, false, radius) || !meets_beyond(side.from.add(side.edge), d, dir, true, radius)
     {
@@ -173,7 +172,7 @@ mod tests {
     use crate::query::cast::kernel::Moment;
     use tilesat_judge::{Random, cases, enough};
 
-    /// Two discs that a motion comes into within a few raw units of way, and others: the bounds of
+    /// Two discs that a motion enters within a few raw units of travel, and others: the bounds of
     /// their moments are often in the wrong order, the answer never is.
     #[test]
     fn of_two_discs_the_earlier_one() {

@@ -11,7 +11,7 @@ use super::walk::{Core, Corner, PolygonSide, SideWalk};
 use crate::num::Raw;
 use crate::query::contact::Contact;
 
-/// The least exit, and the side of the sum that it is across; none where it is from corner to
+/// The least exit, and the side of the sum that it is across; none if it is from corner to
 /// corner.
 pub(super) struct Exit {
     pub(super) contact: Contact,
@@ -44,7 +44,7 @@ impl Exit {
     }
 }
 
-/// The same as [`least`], for boxes and for few sides mostly without a walk.
+/// [`least`], mostly without a walk for boxes and for few sides.
 fn nearest(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
     if open {
         let found = if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
@@ -62,8 +62,9 @@ fn nearest(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> 
 }
 
 /// The side of the sum that is nearest to an origin inside or on the border, and whether another
-/// one is as near. Of several the one whose normal is first in the documented order, whatever
-/// corner the walk began at. None for an origin outside, and on the border where that is `open`.
+/// one is as near. If there are several, the one whose normal is first in the documented order,
+/// whatever the first corner of the walk is. None for an origin outside, and on the border if that
+/// is `open`.
 fn least(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
     let mut best: Option<(Nearness, PolygonSide)> = None;
     let mut tie = false;

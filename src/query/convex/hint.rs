@@ -1,4 +1,4 @@
-//! What separated two shapes last: asked first, it mostly still does.
+//! The last separation of two shapes. It is tested first, because it mostly still separates them.
 
 use super::each_side;
 use super::meets::corners_meet;
@@ -9,7 +9,7 @@ use super::walk::{Core, Corner, PolygonSide, turn};
 use crate::num::{Raw, SPLIT, less128, mul64, sqr64, usqr};
 use crate::shape::Aabb;
 
-/// What last separated two shapes: a side of one, or the way between two corners.
+/// The last separation of two shapes: a side of one, or the line between two corners.
 ///
 /// Shapes that are near but apart mostly stay so from frame to frame, by the same side. Keep one of
 /// these for each pair of bodies, and pass it to
@@ -44,7 +44,7 @@ impl Separation {
     }
 
     /// Whether it still separates the shapes: by three or four signs of products, and by squares
-    /// where there are radii.
+    /// if there are radii.
     fn separates(self, a: Core<'_>, b: Core<'_>) -> bool {
         let (i, j) = (usize::from(self.a), usize::from(self.b));
         if i >= a.corners.len() || j >= b.corners.len() {
@@ -78,7 +78,7 @@ fn is_behind_side(a: Core<'_>, i: usize, b: Core<'_>, j: usize) -> bool {
     radius == 0 || !less128(sqr64(edge.cross(offset).unsigned_abs()), mul64(usqr(radius as u32), edge.len2()))
 }
 
-/// Whether each shape is behind its corner, seen from the other's, and they are far enough apart.
+/// Whether each shape is behind its corner, relative to the other's, and they are far enough apart.
 fn are_nearest_corners(a: Core<'_>, i: usize, b: Core<'_>, j: usize) -> bool {
     let way = b.corner(j).sub(a.corner(i));
     way.len2() >= usqr(a.radius.wrapping_add(b.radius) as u32)

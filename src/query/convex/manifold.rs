@@ -10,9 +10,9 @@ use crate::query::contact::Contact;
 /// A part of a shape's border, by its index. The index stays the same while the shape moves, and
 /// while a box turns.
 ///
-/// Corners are counted from a box's `min` or [`corners`](crate::OrientedBox::corners)`()[0]`, a
-/// segment's lexicographically first end, a polygon's first vertex; a side has the index of the
-/// corner that it begins at, counter-clockwise (y up).
+/// Corners are counted from the `min` of a box or [`corners`](crate::OrientedBox::corners)`()[0]`,
+/// from the lexicographically first end of a segment, or from the first vertex of a polygon. A side
+/// has the index of the corner at which it begins, counter-clockwise (y up).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Part {
@@ -28,7 +28,8 @@ pub enum Part {
 pub struct ManifoldPoint {
     /// How deep the shapes overlap here, along the axis that all points share.
     pub contact: Contact,
-    /// The part of A that meets `part_b` here. Both together name the point from frame to frame.
+    /// The part of A that meets `part_b` here. Both together identify the point from frame to
+    /// frame.
     pub part_a: Part,
     /// The part of B.
     pub part_b: Part,
@@ -40,8 +41,8 @@ pub struct ManifoldPoint {
 /// segments it may have another length, and be another shortest way out if there are several. The
 /// first point is the deepest one, and is exact. There is a second one if a side of one shape leans
 /// on a side of the other: the other end of the part where they face each other. It is within a raw
-/// unit of the exact point, and has its own depth, rounded up. Where the two sides beside the
-/// deepest corner are equally steep, neither leans, and there is one point.
+/// unit of the exact point, and has its own depth, rounded up. If the two sides beside the deepest
+/// corner are equally steep, neither leans, and there is one point.
 ///
 /// ```text
 ///      +-------+
@@ -64,9 +65,9 @@ impl Manifold {
         self.first.contact.axis()
     }
 
-    /// The one or two points, the deeper one first. Of two equally deep ones, the one with the
-    /// smaller x comes first, then the one with the smaller y. Depths are rounded: that of the
-    /// second one may be a raw unit more.
+    /// The one or two points, the deeper one first. On a tie, the one with the smaller x comes
+    /// first, then the one with the smaller y. Depths are rounded, so that of the second one may be
+    /// a raw unit more.
     pub fn points(&self) -> impl Iterator<Item = &ManifoldPoint> {
         core::iter::once(&self.first).chain(&self.second)
     }
@@ -175,9 +176,9 @@ struct Lean {
     end: usize,
 }
 
-/// The one of the two sides beside a corner that is more parallel to `way`, in which the next one
-/// leads away. `None` if both lead the other way, or are equally parallel: no choice between two
-/// mirror images is that of a mirrored scene.
+/// The side beside a corner that is more parallel to `way`, the direction in which the next one
+/// leads away. `None` if both lead in the other direction, or are equally parallel: no choice
+/// between two mirror images would be that of a mirrored scene.
 fn leaning(core: Core<'_>, at: usize, way: Raw) -> Option<Lean> {
     if core.corners.len() < 2 {
         return None;

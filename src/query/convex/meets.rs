@@ -14,7 +14,7 @@ pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
     meets_in::<CLOSED>(a, b, None)
 }
 
-/// The same. A caller that knows the bounding boxes, and that they meet, passes them.
+/// [`meets`] for a caller that may know the bounding boxes, and that they meet.
 pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
     if radius != 0 {

@@ -1,11 +1,11 @@
 //! The verbs for capsules, oriented boxes and convex polygons: with each other and with boxes,
 //! circles and segments.
 //!
-//! One mechanism for all pairs. A shape is a few corners with a radius around them, and a pair is
-//! the sum A + (-B), whose sides [`walk::SideWalk`] merges from theirs. Questions are about the
-//! origin and that polygon. Frequent pairs have shorter ways to the same answers, as [`short`] and
-//! [`each_side`]. Only pairs with one of these shapes come here: a game of boxes and circles links
-//! none of it.
+//! There is one mechanism for all pairs. A shape is a few corners with a radius around them, and a
+//! pair is the sum A + (-B), whose sides [`walk::SideWalk`] merges from theirs. Questions are about
+//! the origin and that polygon. Frequent pairs have shorter tests with the same answers, such as
+//! [`short`] and [`each_side`]. Only pairs with one of these shapes use it: a game of boxes and
+//! circles links none of it.
 
 mod across;
 mod box_point;
@@ -57,9 +57,9 @@ pub use manifold::{Manifold, ManifoldPoint, Part};
 
 /// How two shapes rest on each other: one or two points.
 ///
-/// `Some` exactly where [`overlaps`](Overlaps::overlaps) is true. `manifold(a, b)` and
-/// `manifold(b, a)` mirror each other as [`contact`](Contacts::contact) does. For all pairs of
-/// shapes. Cost: a contact and some hundred instructions.
+/// `Some` exactly if [`overlaps`](Overlaps::overlaps) is true. `manifold(a, b)` and `manifold(b,
+/// a)` mirror each other as [`contact`](Contacts::contact) does. It exists for all pairs of shapes.
+/// Cost: a contact and some hundred instructions.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -75,7 +75,7 @@ pub use manifold::{Manifold, ManifoldPoint, Part};
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait Manifolds<B: ?Sized> {
-    /// The points at which this shape (A) and `b` (B) overlap; `None` where they do not.
+    /// The points at which this shape (A) and `b` (B) overlap; `None` if they do not.
     #[must_use]
     fn manifold(&self, b: &B) -> Option<Manifold>;
 }
@@ -90,11 +90,11 @@ macro_rules! with_cores {
     }};
 }
 
-/// Whether two shapes overlap, asked frame after frame.
+/// Whether two shapes overlap, with a hint from the last frame.
 ///
-/// The same answer as [`overlaps`](Overlaps::overlaps), sooner where the side that separated the
-/// shapes last still does. For all pairs of shapes but boxes, circles and segments among
-/// themselves, which need none.
+/// The answer is that of [`overlaps`](Overlaps::overlaps). It is faster if the side that last
+/// separated the shapes still separates them. It exists for all pairs of shapes except boxes,
+/// circles and segments among themselves, which need no hint.
 ///
 /// ```
 /// use tilesat::prelude::*;
@@ -109,7 +109,7 @@ macro_rules! with_cores {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait OverlapsFrom<B: ?Sized>: Overlaps<B> {
-    /// Whether this shape overlaps `b`; `last` is what the last call for this pair left there.
+    /// Whether this shape overlaps `b`. `last` is the hint that the last call for this pair stored.
     #[must_use]
     fn overlaps_from(&self, b: &B, last: &mut Separation) -> bool;
 }
@@ -125,7 +125,7 @@ macro_rules! manifolds {
     };
 }
 
-/// Whether the bounding boxes of two shapes overlap or touch: that settles most pairs that are
+/// Whether the bounding boxes of two shapes overlap or touch. This decides most pairs that are
 /// apart.
 #[inline]
 fn boxes_meet<const CLOSED: bool>((a, b): &(Aabb, Aabb)) -> bool {
@@ -149,7 +149,7 @@ fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl F
     meet_cores::<CLOSED>((a, b), bounds)
 }
 
-/// The same for all other shapes: a call, so that what is shorter needs no registers saved.
+/// The test for all other shapes. It is a call, so shorter tests need no saved registers.
 #[inline(never)]
 fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
     let radius = a.rounding().wrapping_add(b.rounding());
@@ -170,7 +170,7 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
     })
 }
 
-/// All verbs of one ordered pair.
+/// Implements all verbs of one ordered pair.
 macro_rules! pair {
     ([$($n:tt)*] $a:ty, $b:ty) => {
         manifolds!([$($n)*] $a, $b);
@@ -203,7 +203,7 @@ macro_rules! pair {
                 if let Some(Ok(contact)) = Short::of(self, b).map(|both| both.contact()) {
                     return contact;
                 }
-                // Of capsules, the short test takes a tenth of a contact.
+                // For capsules, the short test takes a tenth of a contact.
                 if self.ends().is_some() && b.ends().is_some() && !self.overlaps(b) {
                     return None;
                 }
@@ -303,7 +303,7 @@ macro_rules! points {
         }
 
         impl<$($n)*> $a {
-            /// The point of the shape that is nearest to `p`: `p` itself where it is inside.
+            /// The point of the shape that is nearest to `p`: `p` itself if it is inside.
             ///
             /// Each component is within a raw unit of the exact one; `p` may be anywhere. Mirrored
             /// points give mirrored bits.
@@ -313,20 +313,20 @@ macro_rules! points {
             }
 
             /// The first point of the shape that a ray from `origin` along `motion` meets, or
-            /// `None` where it ends before.
+            /// `None` if it ends before.
             ///
             /// Exact, by the rules of [`Aabb::cast_ray`] for sharp corners and of
-            /// [`Circle::cast_ray`] for rounded shapes. A hit is where the ray comes in, at the
-            /// very end of the motion too. From the border, moving in hits at 0. A shape without
-            /// area and radius is met as a [segment](Segment::cast_ray) or a point is. At a sharp
-            /// corner the side whose normal is more along x is hit.
+            /// [`Circle::cast_ray`] for rounded shapes. A hit is the point at which the ray enters,
+            /// even at the very end of the motion. A ray that starts on the border and moves in
+            /// hits at 0. A shape without area and radius acts as a [segment](Segment::cast_ray) or
+            /// a point. At a sharp corner the side whose normal is more along x is hit.
             ///
-            /// The time of a sharp side is the exact floor. Rounded ones have a lower bound, early
-            /// by less than a raw unit of way for motions up to 4096 units, and by less than four
-            /// for any. The displacement is never inside, and less than 2 raw short of the border
-            /// for motions up to 4096 units.
+            /// The time at a sharp side is the exact floor. At rounded ones it is a lower bound,
+            /// early by less than a raw unit of travel for motions up to 4096 units, and by less
+            /// than four for any. The displacement is never inside, and less than 2 raw short of
+            /// the border for motions up to 4096 units.
             ///
-            /// Cost: two products for each side, and one root where a slanted side or a corner of a
+            /// Cost: two products for each side, and one root if a slanted side or a corner of a
             /// rounded shape is hit.
             ///
             /// ```

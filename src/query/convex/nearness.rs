@@ -23,7 +23,7 @@ impl Nearness {
         Self(height * height / len2)
     }
 
-    /// `None` where they are too near: five roundings of 2^-53 make up less than 2^-50.
+    /// `None` if they are too near: five roundings of 2^-53 make up less than 2^-50.
     fn cmp(&self, rhs: &Self) -> Option<Ordering> {
         const SHORT: f64 = 1.0 - 1.0 / (1u64 << 48) as f64;
         if self.0 * SHORT > rhs.0 {
@@ -58,7 +58,7 @@ impl Nearness {
         Self { square: top.wrapping_mul(top) >> 16, len2: (len2 << (l & 63) >> 48) as u32, exponent }
     }
 
-    /// `None` where the leading bits are too few.
+    /// `None` if the leading bits are too few.
     ///
     /// Squares are at least 2^14 and lengths 2^15, so products are in 2^29..2^32. A product lacks
     /// less than 5/8 of its 2^-12th: 2^-14 each for the height and for the square, 2^-15 for the
@@ -93,7 +93,7 @@ impl<T> Least<T> {
         Self(None)
     }
 
-    /// An error where the leading bits do not tell the next one from the nearest.
+    /// An error if the leading bits do not distinguish the next one from the nearest.
     #[inline]
     pub(super) fn add(&mut self, near: Nearness, value: impl FnOnce() -> T) -> Result<(), Unsure> {
         match self.0.as_ref().map(|(least, _)| near.cmp(least)) {

@@ -64,9 +64,9 @@ pub(super) fn closest(core: Core<'_>, p: Vec2) -> Vec2 {
 
 /// Whether every point of B is one of A; closed and exact.
 ///
-/// A shape is where its extent in every direction reaches, so A grown by r holds B grown by s where
-/// A grown by r - s holds B, or, if that is negative, where A has room for a disc of s - r around
-/// every corner of B.
+/// A shape is where its extent in every direction reaches. So A grown by r holds B grown by s if A
+/// grown by r - s holds B. If r - s is negative, A must have room for a disc of s - r around every
+/// corner of B.
 pub(super) fn holds_shape(a: Core<'_>, b: Core<'_>) -> bool {
     let rest = a.radius.wrapping_sub(b.radius);
     b.corners

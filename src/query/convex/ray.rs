@@ -1,7 +1,7 @@
 //! Rays against a convex shape: the closed counterpart of its casts.
 //!
-//! Seen from the shape a ray is a point that moves. Motions are below 2^30 a component, and so are
-//! differences: products of a side with either stay below 2^62, as in a cast.
+//! Relative to the shape, a ray is a point that moves. Motions are below 2^30 a component, and so
+//! are differences: products of a side with either stay below 2^62, as in a cast.
 
 use super::cast::{ConvexGate, inward, is_earlier, straight};
 use super::short_place::place_of;

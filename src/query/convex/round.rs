@@ -1,7 +1,7 @@
 //! Convex shapes against a quarter of a disc, and against a square without one.
 //!
-//! Both are seen from the arc's centre, with the quarter in the positive quadrant. Points are below
-//! 2^31 there, as levels may be shifted: products are below 2^62.
+//! Both are relative to the arc's centre, with the quarter in the positive quadrant. Points are
+//! below 2^31 there, as levels may be shifted: products are below 2^62.
 
 use super::meets::meets;
 use super::place::sharp;

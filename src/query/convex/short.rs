@@ -30,7 +30,7 @@ impl Short {
         }
     }
 
-    /// How they overlap; an error where the general code has to tell.
+    /// How they overlap; an error if the general code has to decide.
     #[inline(always)]
     pub(super) fn contact(&self) -> Result<Option<Contact>, Unsure> {
         match self {
@@ -40,7 +40,7 @@ impl Short {
         }
     }
 
-    /// The distance of the cores, rounded down; none where the general code has to tell.
+    /// The distance of the cores, rounded down; none if the general code has to decide.
     #[inline(always)]
     pub(super) fn distance(&self) -> Option<u32> {
         match self {

@@ -9,14 +9,14 @@ use crate::num::Raw;
 use crate::shape::Aabb;
 use core::mem::replace;
 
-/// What a polygon may have at most.
+/// The most corners of a polygon with short sides.
 const CORNERS: usize = 8;
 
-/// A component loses less than one, in a corner as in a side. So a product of a side and a way
-/// between corners, below 2^14 each, is off by less than the sum of their components and two.
+/// A component loses less than one, both in a corner and in a side. So a product of a side and a
+/// difference of corners, below 2^14 each, is off by less than the sum of their components and two.
 const OFF: i32 = (1 << 16) + 2;
 
-/// The corners of a polygon, seen from near, with 13 bits and a sign.
+/// The corners of a polygon, relative to a near point, with 13 bits and a sign.
 struct ShortPolygon {
     corners: [Raw; CORNERS],
     count: usize,

@@ -52,7 +52,7 @@ impl TwoSegments {
         }
     }
 
-    /// Where the origin is relative to their sum. None where an end is on the line of the other
+    /// Where the origin is relative to their sum. None if an end is on the line of the other
     /// one.
     #[inline(always)]
     pub(super) fn place(&self) -> Option<NearestPart> {
@@ -108,7 +108,7 @@ pub(super) const fn end_of([first, last]: [Raw; 2], index: usize) -> Raw {
 }
 
 /// Whether the end of a segment that is nearest to the line of another one is near enough to that;
-/// none where the other side has to tell. `from` is the way to it from the start of `edge`.
+/// none if the other side has to tell. `from` is the way to it from the start of `edge`.
 #[inline(always)]
 const fn near_end<const CLOSED: bool>(from: Offset, edge: Offset, height: i64, radius: i32) -> Option<bool> {
     if !near_line::<CLOSED>(height, radius, edge.len2()) {

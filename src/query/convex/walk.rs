@@ -214,7 +214,7 @@ pub(super) struct Corner {
 /// The sign of `e x f`, for components of which one vector's are below 2^31 and the other's below
 /// 2^30.
 ///
-/// For cores on which a product is a call. Of two products with different signs, the larger one is
+/// For cores on which a product is a call: if two products have different signs, the larger one is
 /// known without computing them.
 #[inline]
 pub(super) const fn turn(e: Raw, f: Raw) -> i64 {

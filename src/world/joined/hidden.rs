@@ -3,10 +3,10 @@
 //!
 //! A body with area that is outside of both solids and touches both at a point `p` has a tangent
 //! there: the half-plane `n . x > 0` in front of it holds neither solid. So `n` is in the cone of
-//! normals of each level at `p`: of a convex corner the closed cone between its two edges' normals,
-//! of a flat point one ray, of anything more solid nothing. All rules follow:
+//! normals of each level at `p`. That is the closed cone between a convex corner's two edge
+//! normals, one ray at a flat point, and empty at anything more solid. All rules follow:
 //!
-//! - A vertex in the other solid is touched within both cones only. Where the other level has no
+//! - A vertex in the other solid is touched only within both cones. Where the other level has no
 //!   corner there, that is one ray at most, along a face of it. Where it has one, the first level
 //!   shows the common part of both cones, the second nothing. A common part that is a ray is the
 //!   normal of a face that one of them shows.
@@ -21,8 +21,8 @@ use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::level::{Feature, Geometry, World, normal};
 
-/// What the rules ask of the other level. A pointer to it, because each level is the other one's
-/// other: a copy of the rules for each took 1.7 KB of flash.
+/// The queries of the rules to the other level. They go through a pointer, because each level is
+/// the other of the other one: a copy of the rules for each took 1.7 KB of flash.
 pub(in crate::world) trait Beside {
     fn touches_at(&self, p: Raw) -> bool;
     fn overlaps_at(&self, p: Raw) -> bool;
@@ -49,8 +49,8 @@ impl<W: World> Beside for W {
     }
 }
 
-/// The rest of a feature beside the other level; `first` says whose corner stands for both
-/// where both have one. `J` is both together: without arcs, no code for them is linked.
+/// The rest of a feature beside the other level; `first` says whose corner stands for both if both
+/// have one. `J` is both together: without arcs, no code for them is linked.
 #[inline(never)]
 pub(in crate::world) fn shown<J: World>(mut feature: Feature, other: &dyn Beside, first: bool) -> Option<Feature> {
     match &mut feature.geometry {
@@ -97,7 +97,7 @@ fn common_cone(cone: (Axis, Axis), p: Raw, other: &dyn Beside) -> Option<(Axis, 
 }
 
 /// The part of a cone (of up to a half turn) with `n . h >= 0`, as the edges whose normals bound
-/// it; `None` where that has no inside.
+/// it; `None` if that has no inside.
 fn clipped((e_in, e_out): (Axis, Axis), h: Axis) -> Option<(Axis, Axis)> {
     let (start, end) = (normal(e_in).dot(h), normal(e_out).dot(h));
     if start >= 0 && end >= 0 {
@@ -190,9 +190,9 @@ impl FaceSegment {
 
 /// The points just in front of a face.
 enum Front {
-    /// Somewhere nothing.
+    /// Some of them are free.
     Bare,
-    /// Somewhere the other solid.
+    /// Some of them are in the other solid.
     Covered,
     Unknown,
 }
@@ -228,7 +228,7 @@ fn covered<J: World>(edge: &FaceSegment, other: &dyn Beside) -> bool {
 }
 
 /// Whether the points just in front of a face's end `p` are in the other solid; `along` leads from
-/// there along the face, `n` is its normal. `None` where an arc ends there too.
+/// there along the face, `n` is its normal. `None` if an arc ends there too.
 ///
 /// From the direction `along`, tilted to the front by an infinitesimal, the next part of the
 /// surface to the left has the place on its right.
@@ -289,11 +289,11 @@ fn ends_at(p: Raw, centre: Raw, radius: i32, quadrant: Axis) -> bool {
 /// Whether the solid continues beyond the end `p` of a face that runs along `dir`. `inward` is 1
 /// for its start, -1 for its end.
 ///
-/// It does where three conditions hold. The points in front of the face's end are free. The cones
-/// of the other level's corners there omit the normals next to the face's own, which are those of
-/// the corner at its end. A body reaches `p` from beyond it only along a face on the same line.
-/// (Above a thin wall or a spike that ends in the face, a body comes as far as `p`, and the solid
-/// below would stop it.)
+/// It does if three conditions hold. The points in front of the face's end are free. The cones of
+/// the other level's corners there omit the normals next to the face's own, which are those of the
+/// corner at its end. A body reaches `p` from beyond it only along a face on the same line. (Above
+/// a thin wall or a spike that ends in the face, a body reaches `p`, and the solid below would stop
+/// it.)
 fn goes_on<J: World>(p: Raw, dir: Axis, inward: i32, other: &dyn Beside) -> bool {
     let n = normal(dir);
     let along = Axis::new(dir.x.wrapping_mul(inward), dir.y.wrapping_mul(inward));

@@ -14,21 +14,21 @@ use hidden::{Beside, hides, shown};
 
 /// Two levels used as one: tiles and segments, or a level and its neighbour. It copies nothing.
 ///
-/// A point that is solid in either level is solid. Where the two meet there is no seam. A corner
-/// that lies in the other level's solid is hidden, except where both together form a corner. A face
-/// is hidden whose front the other solid covers from end to end. A floor of tiles that continues as
-/// a floor of segments is one floor, for a mover too. Faces that are covered in part stay whole,
-/// and so do arcs.
+/// A point that is solid in either level is solid. There is no seam between the two. A corner that
+/// lies in the other level's solid is hidden, except where both together form a corner. A face is
+/// hidden if the other solid covers its front from end to end. A floor of tiles that continues as a
+/// floor of segments is one floor, also for a mover. Faces that are covered in part stay whole, and
+/// so do arcs.
 ///
-/// A pair is a level itself: for more than two, join pairs. The lowest bit of a
+/// A pair is itself a level. For more than two levels, join pairs. The lowest bit of a
 /// [`Feature::source`] is 0 for a feature of the first level, and 1 for the second. The other bits
 /// are the source in that level.
 ///
 /// Each level is tested separately. So a body without area overlaps a pair if it overlaps one of
 /// the two. On the line between two solids that meet flush it overlaps neither.
 ///
-/// Cost: that of both levels, and for each feature one or two look-ups of a point in the other
-/// level. If that point is solid, also the other level's features along the face.
+/// Cost: that of both levels, and one or two look-ups of a point in the other level for each
+/// feature. If that point is solid, also the other level's features along the face.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Fx, Grid, Joined, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -41,7 +41,7 @@ use hidden::{Beside, hides, shown};
 /// let player = Aabb::new(Vec2::from_ints(30, 22), Vec2::from_ints(40, 32)).unwrap();
 /// assert!(level.touches(&player) && !level.overlaps(&player));
 /// let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&level, &player, Vec2::from_ints(40, 1)).unwrap();
-/// assert_eq!(moved.position(), Vec2::from_ints(70, 22)); // over the joint as if there were none
+/// assert_eq!(moved.position(), Vec2::from_ints(70, 22)); // over the joint, which has no effect
 /// # Ok::<(), tilesat::TileMapError>(())
 /// ```
 #[derive(Debug)]
@@ -81,8 +81,8 @@ impl<'a, A: World, B: World> Joined<'a, A, B> {
     /// The pieces of both surfaces that have a point in the closed region and that the other level
     /// does not hide. The first level's pieces come first.
     ///
-    /// A corner's directions are those of both solids together. Pieces near the region may come
-    /// too. Cost: see [`Joined`].
+    /// The directions of a corner are those of both solids together. Pieces near the region may be
+    /// included. Cost: see [`Joined`].
     pub fn features(&self, region: &Aabb) -> JoinedFeatures<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features(region), b: self.b.features(region) }
     }
@@ -208,8 +208,8 @@ impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
 }
 
 impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
-    /// All hits of a ray in order, as if it went on through what it hits. Of hits at one moment
-    /// there is one.
+    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
+    /// count as one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray).
     ///
@@ -230,22 +230,22 @@ impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
 
 rays! {
     [A: RayWorld, B: RayWorld] Joined<'_, A, B> {
-        /// The first point of either level's solid that a ray meets, or `None` where it ends
+        /// The first point of either level's solid that a ray meets, or `None` if it ends
         /// before.
         ///
         /// It follows the rules of the levels' own `cast_ray`, for the faces that
         /// [`features`](Self::features) shows. A ray along a floor that continues from level to
         /// level meets nothing. A ray along the very line between two solids that meet flush is in
-        /// neither. It stops where it reaches that line, but not if it starts there.
+        /// neither. It stops if it reaches that line, but not if it starts on it.
         ///
-        /// Cost: both levels' cost, and for each hit a look at the other level along the face.
-        /// [`RayHit::cells`] counts those of the level that was hit.
+        /// Cost: that of both levels, and a look at the other level along the face for each hit.
+        /// [`RayHit::cells`] counts the cells of the level that was hit.
         ///
         /// ```
         /// use tilesat::{Fx, Grid, Inside, Joined, TileKind, TileKinds, TileMap, Vec2};
         /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
         /// let floor = TileMap::from_ascii("  \n##", &KINDS)?;
-        /// // Another floor goes on from there, and ends in a wall.
+        /// // Another floor continues from there, and ends in a wall.
         /// let other = floor.with_origin(Vec2::from_ints(32, 0))?;
         /// let wall = TileMap::from_ascii(" #\n##", &KINDS)?.with_origin(Vec2::from_ints(64, 0))?;
         /// let floors = Joined::new(&floor, &other);
@@ -334,8 +334,8 @@ impl<A: RayWorld, B: RayWorld> Iterator for JoinedRayHits<'_, A, B> {
     }
 }
 
-/// Which is first: starts inside, then by the exact moments. A hit within an arc has none, and is
-/// compared by its `toi`, after a straight one.
+/// Which hit is first: a start inside, then by the exact moments. A hit within an arc has no exact
+/// moment, and is compared by its `toi`, after a straight one.
 fn order(a: &ScanHit, b: &ScanHit) -> Ordering {
     let (Some(met_a), Some(met_b)) = (a.met, b.met) else { return a.met.is_some().cmp(&b.met.is_some()) };
     match (met_a.touch.time, met_b.touch.time) {

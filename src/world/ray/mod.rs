@@ -1,8 +1,8 @@
 //! Rays through any level: questions, answers, and how a ray meets one piece of a surface.
 //!
-//! Whether it is met is exact, without root or division; when is an exact fraction, or within an
-//! arc a bound from below. Beside this: the walk over the cells, and the engine that finds the hits
-//! in order.
+//! Whether a piece is hit is decided exactly, without root or division. The time is an exact
+//! fraction, or a lower bound within an arc. This module also has the walk over the cells, and the
+//! engine that finds the hits in order.
 
 pub(in crate::world) mod scan;
 #[cfg(test)]
@@ -18,7 +18,7 @@ use crate::num::{
     Axis, DOMAIN, Raw, Toi, Vec2, imul, less128, mul_div, mul64, root128_down, root128_up, sqr64, sub128, umul, usqr,
 };
 
-/// The rules of a ray. Made from an [`Inside`] alone, it passes one-way edges.
+/// The rules of a ray. A ray with only an [`Inside`] passes one-way edges.
 ///
 /// ```
 /// use tilesat::{Inside, world::RayRules};
@@ -29,8 +29,8 @@ use crate::num::{
 pub struct RayRules {
     /// The answer to a start inside the solid.
     pub inside: Inside,
-    /// Whether a ray that moves against its normal meets a one-way edge, ends included, and also
-    /// when it starts on it. From behind it always passes.
+    /// Whether a one-way edge stops a ray that moves against its normal, ends included, also if the
+    /// ray starts on the edge. From behind, a ray always passes.
     pub one_way: bool,
 }
 
@@ -44,41 +44,66 @@ impl From<Inside> for RayRules {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias = "RaycastHit")]
 pub struct RayHit {
-    /// When: the exact floor in 2^-30 of the fraction of the motion, for straight faces and ends of
-    /// arcs.
+    /// The fraction of the motion at the hit, 0 to 1, rounded down to a multiple of 2^-30. This is
+    /// exact for straight faces and for the ends of arcs.
     ///
-    /// Within an arc it is a lower bound. It is early by less than one raw unit of way for motions
-    /// up to 4096 units, and by less than four for any.
+    /// Within an arc it is a lower bound. It is early by less than one raw unit of travel for
+    /// motions up to 4096 units, and by less than four for any.
     pub toi: Toi,
-    /// Where, rounded to the free side of the piece that was hit.
+    /// The point of the hit, rounded to the free side of the piece that was hit.
     ///
     /// On a straight face, each coordinate is less than one raw off. It is rounded toward the
     /// start, or away from it if the normal is on that side. So along a face's axis it is exact. On
     /// an arc it is the point of `toi`, rounded away from the solid.
     pub point: Vec2,
-    /// The outward normal of the piece that was hit: reduced, of a block's face a unit axis; within
-    /// an arc the vector from its centre to `point`, the other way where it is concave. See
-    /// [`TileMap::cast_ray`](crate::world::TileMap::cast_ray) for corners and starts inside.
+    /// The outward normal of the piece that was hit, reduced; for the face of a block it is a unit
+    /// axis. Within an arc it is the vector from the centre to `point`, reversed if the arc is
+    /// concave. See [`TileMap::cast_ray`](crate::world::TileMap::cast_ray) for corners and starts
+    /// inside.
     pub axis: Axis,
-    /// The cell that the piece belongs to; where the border is repeated
-    /// ([`Outside::Edge`](crate::world::Outside::Edge)) and only blocks are, the border cell. Of a
-    /// [solid](crate::world::Solids) it holds the key.
+    /// The cell to which the piece belongs. If the border of a map of blocks is repeated
+    /// ([`Outside::Edge`](crate::world::Outside::Edge)), it is the border cell. For a
+    /// [solid](crate::world::Solids) it holds the key: see [`solid`](Self::solid).
     pub cell: Cell,
-    /// Which piece of that cell, as [`Feature::index`](crate::world::Feature::index); 0 for a start
+    /// The piece of that cell, as [`Feature::index`](crate::world::Feature::index); 0 for a start
     /// inside.
     pub index: u16,
     /// The user flags of the tile or segment.
     pub flags: u8,
     /// Whether it is a one-way face.
     pub one_way: bool,
-    /// Which level of a pair, as [`Feature::source`](crate::world::Feature::source).
+    /// The level of a pair, as [`Feature::source`](crate::world::Feature::source).
     pub source: u8,
     /// Whether the ray started inside the solid; only with [`Inside::Hit`].
     pub inside: bool,
-    /// The work done: cells entered, the first and the last one included; of
-    /// [`Solids`](crate::world::Solids) and [`ConvexSolids`](crate::world::ConvexSolids) the solids
-    /// looked at.
+    /// The work of the ray: the number of cells entered, the first and the last one included. For
+    /// [`Solids`](crate::world::Solids) and [`ConvexSolids`](crate::world::ConvexSolids), the
+    /// number of solids examined.
     pub cells: u32,
+}
+
+impl RayHit {
+    /// The key of the moving solid that was hit: a [`Solid`](crate::Solid) or a
+    /// [`ConvexSolid`](crate::world::ConvexSolid). `None` for a tile or a segment.
+    ///
+    /// In a [joined](crate::Joined) level, [`source`](Self::source) distinguishes two lists.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("   \n###", &KINDS)?;
+    /// let lift = [Solid::new(Aabb::new(Vec2::from_ints(16, 8), Vec2::from_ints(32, 12))?, 7)?];
+    /// let solids = Solids::new(&lift);
+    /// let level = Joined::new(&level, &solids);
+    /// let below = |x| level.cast_ray(Vec2::from_ints(x, 0), Vec2::from_ints(0, 20), Inside::Hit);
+    /// assert_eq!(below(20)?.map(|hit| hit.solid()), Some(Some(7)));
+    /// assert_eq!(below(8)?.map(|hit| hit.solid()), Some(None)); // the floor
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn solid(&self) -> Option<u16> {
+        self.cell.solid()
+    }
 }
 
 /// The start and the motion of a ray, if both ends are in the domain.
@@ -270,7 +295,8 @@ fn meet_face(w: Raw, d: Raw, dir: Axis, len: i32) -> Option<Touch> {
 }
 
 /// How a ray from `m` (relative to the centre) by `d` meets the closed quarter in the quadrant of
-/// `q` from its free side: the entry into the disc where it is `convex`, else the exit from it.
+/// `q` from its free side. That is the entry into the disc if it is `convex`, else the exit from
+/// it.
 ///
 /// Tangents do not meet a convex arc. They leave a concave one where they start on it. They also
 /// leave it where they come along the line on which it ends and continue into its cell.

@@ -50,7 +50,7 @@ pub(in crate::world) trait RayLevel: RayPieces {
     fn skip(&self, _: &mut RayWalk) {}
 
     /// All pieces that have a point in the closed cell. Where each piece has one cell, those of
-    /// this one. Those that the motion `d` does not oppose may be missing. `None` where there are
+    /// this one. Those that the motion `d` does not oppose may be missing. `None` if there are
     /// none, as early as possible, and for cells beyond the bands.
     fn pieces(&self, x: i32, y: i32, d: Raw) -> Option<Self::Pieces<'_>>;
 
@@ -209,7 +209,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         }
     }
 
-    /// The same of a gap that closes to nothing.
+    /// Looks for the end of a gap that closes to nothing.
     #[inline(never)]
     fn look_for_cusp(&mut self) {
         if let Some(met) = &cusp(self.level, self.o, self.d, &self.walk) {

@@ -11,9 +11,9 @@ pub(in crate::world) struct Lane {
     /// The index of the cell: the one just ahead, where the ray is on a line. -1 and the count
     /// stand for the bands beyond the map.
     pub(in crate::world) cell: i32,
-    /// 1 or -1; -1 where there is no motion.
+    /// 1 or -1; -1 if there is no motion.
     pub(in crate::world) step: i32,
-    /// Distance from the start to the next line, where there is one: below 2^31.
+    /// Distance from the start to the next line, if there is one: below 2^31.
     pub(in crate::world) near: u32,
     /// At least the number of lines ahead, up to the end, that have a cell of the map behind them.
     pub(in crate::world) lines: i32,

@@ -14,10 +14,10 @@ use crate::world::{cell::Cell, error::SegmentMapError, grid::Grid};
 use heapless::VecView;
 
 impl<'a> SegmentMap<'a> {
-    /// The size of the level of these paths, on cells of side `cell` that cover them.
+    /// The size of the level of these paths, in cells of side `cell` that cover them.
     ///
-    /// The first cell starts at the smallest coordinates of any point; where the last one would
-    /// leave the domain, all are moved.
+    /// The first cell starts at the smallest coordinates of any point; if the last one would leave
+    /// the domain, all are moved.
     ///
     /// ```
     /// use tilesat::{Fx, Path, PathKind, SegmentMap, SegmentMapError, Vec2};
@@ -33,7 +33,7 @@ impl<'a> SegmentMap<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`SegmentMapError`]: which point of which path is wrong, or that there is too much.
+    /// [`SegmentMapError`] says which point of which path is wrong, or that there are too many.
     pub const fn measure(paths: &[Path<'_>], cell: Fx) -> Result<Size, SegmentMapError> {
         match path::bounds(paths) {
             Ok((lo, hi)) => match path::grid(lo, hi, cell) {
@@ -61,12 +61,12 @@ impl<'a> SegmentMap<'a> {
     /// Writes the level of these paths to the start of `out`, and returns its number of bytes.
     /// [`from_bytes`](Self::from_bytes) reads them.
     ///
-    /// Cost: [`measure`](Self::measure) and as much again. Each edge of a polygon is compared with
-    /// those of the runs near it, each end of a segment with the segments of its cell.
+    /// Cost: twice that of [`measure`](Self::measure). Each edge of a polygon is compared with
+    /// those of the runs near it, and each end of a segment with the segments of its cell.
     ///
     /// # Errors
-    /// As [`measure`](Self::measure), and [`SegmentMapError::TooSmall`]: `out` is unchanged then.
-    /// [`SegmentMapError::TooDeep`]: `out` holds nothing then.
+    /// As [`measure`](Self::measure), and [`SegmentMapError::TooSmall`]; `out` is then unchanged.
+    /// After [`SegmentMapError::TooDeep`], `out` holds no level.
     pub const fn build_into(paths: &[Path<'_>], cell: Fx, out: &mut [u8]) -> Result<usize, SegmentMapError> {
         match Self::measure(paths, cell) {
             Ok(size) => build(paths, &size, out),
@@ -258,8 +258,8 @@ pub(super) struct Sink<'o> {
 }
 
 impl Sink<'_> {
-    /// The segments of all paths, in the order of the paths and their points. Of a cancelled edge
-    /// only the rest.
+    /// The segments of all paths, in the order of the paths and their points. A cancelled edge
+    /// gives only its rest.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
     pub(super) const fn take(&mut self, paths: &[Path<'_>]) -> Result<(), SegmentMapError> {
         let (mut i, mut block) = (0, EdgeBlock::EMPTY);
@@ -357,11 +357,11 @@ const fn set_raw(out: &mut [u8], at: usize, p: Raw) {
     set_word(out, at.wrapping_add(4), p.y as u32);
 }
 
-/// A level of line segments as a `static`, built and checked by the compiler: no work at run time,
-/// no memory but the bytes in flash.
+/// A level of line segments as a `static`, built and checked by the compiler. It takes no work at
+/// run time, and no memory except the bytes in flash.
 ///
-/// Takes an array of [`Path`](crate::Path)s and the side of a cell, both constant. A path that is
-/// refused is a compile error that says which and why.
+/// It takes an array of [`Path`](crate::Path)s and the side of a cell, both constant. A refused
+/// path is a compile error that says which path is wrong, and why.
 ///
 /// ```
 /// use tilesat::{Path, PathKind, Vec2, fx, segment_map};
@@ -407,7 +407,7 @@ macro_rules! segment_map {
 }
 
 impl Size {
-    /// For [`segment_map!`] alone, which asks for as many bytes as the paths need.
+    /// Only for [`segment_map!`], which passes the number of bytes that the paths need.
     #[doc(hidden)]
     pub const fn __place<const N: usize>(&self, paths: &[Path<'_>]) -> Result<[u8; N], SegmentMapError> {
         let mut out = [0; N];
@@ -417,7 +417,7 @@ impl Size {
         }
     }
 
-    /// For [`segment_map!`] alone, with what was placed.
+    /// Only for [`segment_map!`], with the placed bytes.
     #[doc(hidden)]
     #[must_use]
     pub const fn __join<const N: usize>(&self, mut out: [u8; N]) -> [u8; N] {
@@ -425,7 +425,7 @@ impl Size {
         out
     }
 
-    /// For [`segment_map!`] alone, with what was joined.
+    /// Only for [`segment_map!`], with the joined bytes.
     #[doc(hidden)]
     pub const fn __finish<const N: usize>(&self, mut out: [u8; N]) -> Result<[u8; N], SegmentMapError> {
         match finish(self, &mut out) {
@@ -434,7 +434,7 @@ impl Size {
         }
     }
 
-    /// For [`segment_map!`] alone: the bytes are those that were built.
+    /// Only for [`segment_map!`]: the bytes are those that were built.
     #[doc(hidden)]
     #[must_use]
     pub const fn __view<'a>(&self, bytes: &'a [u8]) -> SegmentMap<'a> {

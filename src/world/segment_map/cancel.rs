@@ -1,17 +1,17 @@
 //! The edges that remain when polygons share some.
 //!
-//! An edge meets few others, and nothing but a fixed room may be used to find those. So the edges
-//! are taken in blocks. All edges are read once per block, and a small picture of the block turns
-//! away those that are near none of it, in whatever order the polygons are.
+//! An edge meets few others, and only a fixed amount of memory may be used to find those. So the
+//! edges are taken in blocks. All edges are read once per block. A small picture of the block
+//! rejects those that are not near any of its edges, in any order of the polygons.
 
 use super::path::{Path, PathEdge, point, reversed};
 use crate::num::Raw;
 
 /// Edges in a block, bits of a word: 2.9 KB of stack while a level is built. The edges of a level
-/// are read once for so many of them, at about 110 instructions each where none is far away.
+/// are read once for this many of them, at about 110 instructions each if none is far away.
 const BLOCK: usize = 64;
 
-/// The picture of a block has so many columns and rows at most.
+/// The picture of a block has at most this many columns and rows.
 const SIDE: usize = 64;
 
 /// An edge of a solid or a hole among all of them, by its path and its first point.
@@ -87,7 +87,7 @@ impl Shared {
         if self.count == 0 { None } else { Some(Other { edge: self.first, reversed: self.first_reversed }) }
     }
 
-    /// The one after another one. Edges that are not among them may come too.
+    /// The one after another one. Other edges may be included.
     const fn after(&self, paths: &[Path<'_>], other: Other) -> Option<Other> {
         if other.edge.is(self.last) {
             return None;
@@ -146,12 +146,12 @@ pub(super) struct EdgeBlock {
     shared: [Shared; BLOCK],
     /// Whether the segments of a polygon run against its points: the last one that was looked at.
     reversed: Option<(u32, bool)>,
-    /// The next edge that is asked for.
+    /// The next requested edge.
     asked: usize,
 }
 
 impl EdgeBlock {
-    /// No edge. The first one that is asked for is the first one of all.
+    /// Before any edge. The first requested edge is the first of all.
     pub(super) const EMPTY: Self = Self {
         edges: [EdgeIndex { path: 0, point: 0 }; BLOCK],
         count: 0,
@@ -164,7 +164,8 @@ impl EdgeBlock {
         asked: 0,
     };
 
-    /// What shares a part of an edge. All edges of all polygons must be asked for, in their order.
+    /// The edges that share a part of an edge. All edges of all polygons must be requested, in
+    /// their order.
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     pub(super) const fn shared(&mut self, paths: &[Path<'_>], edge: EdgeIndex) -> Shared {
         if self.asked == self.count {
@@ -209,8 +210,8 @@ impl EdgeBlock {
         }
     }
 
-    /// The first column and the last one of an edge's box, and its rows; of what is outside of the
-    /// picture those at its sides. No calls: the compiler counts them in constants.
+    /// The first column and the last one of an edge's box, and its rows; for edges outside of the
+    /// picture, those at its sides. Without calls, because the compiler counts them in constants.
     #[inline]
     const fn squares(&self, p: Raw, q: Raw) -> [usize; 4] {
         let Bounds { lo, hi } = self.around;
@@ -312,7 +313,7 @@ const fn shift(distance: u32) -> u32 {
     (u32::BITS - distance.leading_zeros()).saturating_sub(SIDE.trailing_zeros())
 }
 
-/// The ends of an edge. One that was found exists.
+/// The ends of an edge, which exists.
 const fn edge_at(paths: &[Path<'_>], edge: EdgeIndex) -> (Raw, Raw) {
     match path_at(paths, edge.path) {
         Some(path) => (point(path, edge.point as usize), point(path, edge.point as usize + 1)),
@@ -358,8 +359,8 @@ const fn ordered(a: i32, b: i32) -> (i32, i32) {
 ///   is left   ----->|       |->               edges against it. Nothing needs to be remembered.
 /// ```
 ///
-/// Cost: the edges that share a part of it. Where those are more than two, all edges from the first
-/// one to the last, and the area of their polygons.
+/// Cost: the edges that share a part of it. If those are more than two, all edges from the first to
+/// the last, and the area of their polygons.
 pub(super) const fn left_from(
     paths: &[Path<'_>],
     shared: Shared,

@@ -35,18 +35,18 @@ impl SegmentMap<'_> {
     }
 
     /// The winding number just ahead of a point in a direction, below 2^31 a component: on the left
-    /// of a segment that leaves it that way, or on its right.
+    /// of a segment that leaves it in that direction, or on its right.
     fn winding_toward(&self, p: Raw, beside: i32, dir: Raw, on_left: bool) -> i32 {
         let way = Spoke { dir, change: 0 };
         let passed = |ray: &Spoke| ray.up_to(&way) && (on_left || !way.up_to(ray));
         self.spokes(p).filter(passed).fold(beside, |w, ray| w.wrapping_add(ray.change))
     }
 
-    /// Whether the inside of the solid has a point between two points: where both sides of the way
-    /// are solid, at its start or after a crossing.
+    /// Whether the inside of the solid has a point between two points: both sides of the line are
+    /// solid, at its start or after a crossing.
     ///
-    /// Cost: the square of the number of the level's segments. Only shapes without area that are
-    /// not along x or y ask it.
+    /// Cost: the square of the number of the level's segments. It is used only for shapes without
+    /// area that are not along x or y.
     fn line_inside(&self, p: Raw, q: Raw) -> bool {
         let (way, beside) = (q.sub(p), self.winding_beside(p));
         let start = [true, false].map(|on_left| self.winding_toward(p, beside, way, on_left));
@@ -68,7 +68,8 @@ impl SegmentMap<'_> {
     }
 }
 
-/// Where a segment crosses the left or the right side of a way between its ends: after `num / den`.
+/// Where a segment crosses the left or the right side of a line between its ends: after `num /
+/// den`.
 struct Crossed {
     num: u64,
     den: u64,

@@ -1,4 +1,4 @@
-//! Where the boundary continues behind the end of a segment, flat or into a concave corner, or
+//! Finds where the boundary continues behind the end of a segment: flat, into a concave corner, or
 //! around a vertex.
 
 use super::parse::{Size, Tables};
@@ -64,8 +64,8 @@ const fn write(
     set_byte(segments, place.wrapping_add(ATTR_AT), attr);
 }
 
-/// Pictures are kept for so many segments of a cell: 1 KB of stack while a level is built. Those
-/// beyond are all looked at.
+/// Pictures are kept for this many segments of a cell: 1 KB of stack while a level is built.
+/// Further segments are all tested.
 const ROOM: usize = 256;
 
 /// The segments of a cell, in a coarse picture: the box of each, in the 256 columns and rows of the
@@ -191,8 +191,8 @@ impl SegmentMap<'_> {
     /// ```
     ///
     /// The free side of a direction is on its right, where y grows up: from the end one turns left
-    /// there, from the start right. Segments that block from one side only are not part of the
-    /// solid: only their own kind sees them.
+    /// there, from the start right. Segments that block only from one side are not part of the
+    /// solid, and count only for their own kind.
     const fn turn(&self, crowd: &Crowd<'_>, itself: u16, seg: &Seg, at_end: bool) -> SegmentRay {
         let (p, base) = if at_end { (seg.b(), seg.dir.reversed()) } else { (seg.a, seg.dir) };
         let one_way = matches!(seg.kind, Kind::OneWay);

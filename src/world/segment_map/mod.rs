@@ -1,6 +1,6 @@
 //! A level of free line segments: polygons, walls and one-way chains in a grid, read from bytes.
 //!
-//! The bytes are little-endian, at any alignment, and are read and written in constants too.
+//! The bytes are little-endian, at any alignment. They can be read and written in constants.
 //!
 //! | bytes | what |
 //! |---|---|
@@ -44,10 +44,10 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 
 /// A level of polygons, walls and one-way chains: a view of bytes that have been checked once.
 ///
-/// There are three ways to make one. The macro [`segment_map!`](crate::segment_map) builds it from
-/// [`Path`]s while your program compiles. [`build_into`](Self::build_into) builds it at run time in
-/// memory that you lend. [`from_bytes`](Self::from_bytes) reads a file that was built before,
-/// without a copy. All three give the same bytes. The map itself owns nothing.
+/// You can make one by three functions. The macro [`segment_map!`](crate::segment_map) builds it
+/// from [`Path`]s at compile time. [`build_into`](Self::build_into) builds it at run time in memory
+/// that you lend. [`from_bytes`](Self::from_bytes) reads a file that was built before, without a
+/// copy. All three give the same bytes. The map itself owns no data.
 ///
 /// ```
 /// use tilesat::{Fx, Path, PathKind, SegmentMap, Vec2, fx, segment_map};
@@ -61,7 +61,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 /// ], fx!(32));
 /// assert_eq!((LEVEL.count(), LEVEL.width(), LEVEL.height()), (8, 5, 2));
 ///
-/// // The same at run time.
+/// // The same level at run time.
 /// let mut room = [0; 600];
 /// let paths = [Path::new(PathKind::Solid, &HILL), Path::new(PathKind::Hole, &CAVE)];
 /// let used = SegmentMap::build_into(&paths, Fx::from_num(32), &mut room)?;
@@ -74,7 +74,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// A point is solid if more solids than holes are around it. Polygons may overlap. If two of them
 /// share an edge, or a part of one, that part is removed, and nothing can snag there. A hole must
-/// lie in a solid: otherwise its edges are thin walls.
+/// lie in a solid. Otherwise its edges are thin walls.
 ///
 /// ```text
 ///   +------------+           Solids less holes: solid where the number is above 0. Each polygon may run either way
@@ -86,8 +86,8 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # Where the boundary continues
 ///
-/// At the end of a segment there is a vertex only where the free angle is more than half a turn.
-/// All segments through the point count, also those that only pass through it:
+/// At the end of a segment there is a vertex only if the free angle is more than half a turn. All
+/// segments through the point count, also those that only pass through it:
 ///
 /// ```text
 ///            o  wall                      o a vertex: around the end of the wall, from one face to the other
@@ -97,10 +97,11 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 ///
 /// # Bounds
 ///
-/// At most 32768 segments, and 65535 pairs of a segment and a cell that it meets. Larger cells make
-/// fewer pairs. Building takes 4 KB of stack and no memory but the bytes. It reads the edges of all
-/// polygons once for each 64 of them, and compares those that are near each other. It also compares
-/// each end of a segment with the segments of its cell, so smaller cells make it faster.
+/// A map has at most 32 768 segments, and 65 535 pairs of a segment and a cell that it meets.
+/// Larger cells make fewer pairs. Building takes 4 KB of stack and no memory except the bytes. It
+/// reads the edges of all polygons once for each 64 of them, and compares those that are near each
+/// other. It also compares each end of a segment with the segments of its cell, so smaller cells
+/// make it faster.
 ///
 /// The compiler builds some 2000 segments before its limit on constants, the lint
 /// `long_running_const_eval`, in 5 to 20 seconds. You may allow more:
@@ -157,8 +158,8 @@ impl<'a> SegmentMap<'a> {
         (self.segments.len() / SEGMENT) as u16
     }
 
-    /// A segment by its index, below [`count`](Self::count); of length 0 for others, which nothing
-    /// asks for.
+    /// A segment by its index, below [`count`](Self::count); of length 0 for other indices, which
+    /// do not occur.
     #[inline]
     pub(super) const fn segment(&self, index: u16) -> Seg {
         Seg::read(self.segments, index)
@@ -250,7 +251,7 @@ pub(in crate::world) struct Seg {
     pub(in crate::world) kind: Kind,
     /// No vertex at the start: the boundary, or the one-way chain, continues there.
     pub(in crate::world) start_joined: bool,
-    /// The same at the end. Where it is not set and the segment is not one-way, `next` is there.
+    /// No vertex at the end. If it is not set and the segment is not one-way, `next` is there.
     pub(in crate::world) end_joined: bool,
     /// The user's flags.
     pub(in crate::world) flags: u8,
@@ -259,7 +260,7 @@ pub(in crate::world) struct Seg {
 /// Segments are fewer than this: twice an index, and one for the vertex, is the index of a feature.
 pub(super) const MOST: u16 = 1 << 15;
 
-/// The value of `next` where there is no vertex.
+/// The value of `next` if there is no vertex.
 pub(super) const NONE: u16 = u16::MAX;
 
 /// The bits of the attribute byte.
@@ -368,7 +369,7 @@ pub(super) mod at {
     pub(in crate::world::segment_map) const CHECKSUM: usize = 28;
 }
 
-/// The bytes `from..to`; none where there are not so many.
+/// The bytes `from..to`; none if there are fewer.
 pub(super) const fn part(data: &[u8], from: usize, to: usize) -> &[u8] {
     match data.split_at_checked(to) {
         Some((head, _)) => match head.split_at_checked(from) {
@@ -418,7 +419,7 @@ pub(super) const fn set_byte(data: &mut [u8], at: usize, value: u8) {
 }
 
 /// 32-bit FNV-1a with the checksum's own field as zero. Each step is one-to-one in the state and in
-/// the byte, so no change of a single byte goes unseen.
+/// the byte, so every change of a single byte is detected.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
 pub(super) const fn checksum(data: &[u8]) -> u32 {
     let (mut hash, mut i) = (0x811c_9dc5u32, 0);

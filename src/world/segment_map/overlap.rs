@@ -1,9 +1,9 @@
 //! Strict overlap and closed touch with the solid of a segment map; points, and boxes without area.
 //!
-//! A query that has met no segment of the boundary tests one point of the body only. It takes the
-//! stored winding number of its cell, and the segments crossed on the way from there. That point is
-//! moved by an infinitesimal `e` along x and by `e^2` along y, as the reference points of the cells
-//! are. It is then on no segment, and no case is missed.
+//! A query that has met no segment of the boundary tests only one point of the body. It takes the
+//! stored winding number of its cell, and the segments crossed on the line from there. That point
+//! is moved by an infinitesimal `e` along x and by `e^2` along y, as the reference points of the
+//! cells are. It is then on no segment, and no case is missed.
 
 use super::{Kind, Seg, SegmentMap};
 use crate::num::{Raw, imul, less128, mul64};
@@ -15,16 +15,16 @@ use crate::world::tile_map::region::Probe;
 
 levels! {
     [] SegmentMap<'_> {
-        /// Whether a shape overlaps the solid: whether a wall or the boundary of a polygon
-        /// reaches its inside, or it lies within a polygon.
+        /// Whether a shape overlaps the solid: a wall or the boundary of a polygon reaches its
+        /// inside, or it lies within a polygon.
         ///
         /// Strict and exact: a body that touches a wall or fills a gap exactly does not overlap. A
-        /// wall has no thickness: shapes that it crosses overlap it. A body without area (a circle
-        /// of radius 0, a box of no width or height) overlaps only polygons. One-way segments never
-        /// overlap anything. Outside of the grid nothing is solid.
+        /// wall has no thickness, and overlaps the shapes that it crosses. A body without area (a
+        /// circle of radius 0, a box without width or height) overlaps only polygons. One-way
+        /// segments never overlap anything. Outside of the grid nothing is solid.
         ///
-        /// Cost: the segments of the cells under the body, one test each in each cell, until the
-        /// first hit; one winding number. It cannot fail.
+        /// Cost: one test for each segment in each cell under the body, until the first hit, and
+        /// one winding number. It cannot fail.
         ///
         /// ```
         /// use tilesat::{Circle, Fx, Path, PathKind, Vec2, fx, segment_map};
@@ -46,11 +46,11 @@ levels! {
 }
 
 impl SegmentMap<'_> {
-    /// The flags, joined by or, of all segments that a box, circle or point has a point in common
-    /// with: boundaries, walls and one-way segments, ends included.
+    /// The flags, or-ed, of all segments that a box, circle or point touches: boundaries, walls and
+    /// one-way segments, ends included.
     ///
     /// The flags are those of the lines: a body inside a polygon that touches none of its edges has
-    /// none. Exact. Cost: one test for each segment with other flags, of each cell under the shape.
+    /// none. Exact. Cost: one test for each segment with new flags, in each cell under the shape.
     #[must_use]
     pub fn flags_touched<B: Probe>(&self, shape: &B) -> u8 {
         let (lo, hi) = shape.bounds();
@@ -151,10 +151,10 @@ impl SegmentMap<'_> {
         winding
     }
 
-    /// Whether a point is in the inside of the solid: whether it is solid all around it.
+    /// Whether a point is in the inside of the solid: the solid is all around it.
     ///
     /// The winding number beside it is counted on around it, ray by ray of the segments through it.
-    /// Cost: the segments of its cell; their square where many meet at the point.
+    /// Cost: the segments of its cell; their square if many meet at the point.
     pub(super) fn point_inside(&self, p: Raw) -> bool {
         let start = self.winding_beside(p);
         let after = |ray: Spoke| self.spokes(p).filter(|r| r.up_to(&ray)).fold(start, |w, r| w.wrapping_add(r.change));
@@ -173,7 +173,7 @@ impl SegmentMap<'_> {
     }
 }
 
-/// The change of the winding number at a segment on the way up along `x = q.x + e` to `q`: +1 from
+/// The change of the winding number at a segment on the line up along `x = q.x + e` to `q`: +1 from
 /// its right to its left.
 fn below(seg: &Seg, q: Raw) -> i32 {
     if (seg.a.x <= q.x) == (seg.b().x <= q.x) {
@@ -186,8 +186,8 @@ fn below(seg: &Seg, q: Raw) -> i32 {
     if passed { if forward { 1 } else { -1 } } else { 0 }
 }
 
-/// The same to the right along `y = q.y + e^2`. Where it goes through `q` it is passed: `e^2` over
-/// its slope against `e`.
+/// The change on the line to the right along `y = q.y + e^2`. Where it goes through `q` it is
+/// passed: `e^2` over its slope against `e`.
 fn before(seg: &Seg, q: Raw) -> i32 {
     let upward = seg.a.y <= q.y;
     if upward == (seg.b().y <= q.y) {
@@ -261,9 +261,9 @@ impl SegmentMap<'_> {
     /// Whether the inside of the solid has a point between two points of a cell, one straight right
     /// of or above the other.
     ///
-    /// The boundary cuts the way in pieces, each of them in the inside where both sides are solid.
-    /// They are seen from a frame in which the way leads right, just after its start and after each
-    /// crossing. Cost: the square of the segments that cross it.
+    /// The boundary cuts the line into pieces, each of which is in the inside if both sides are
+    /// solid. The test uses a frame in which the line leads right, just after its start and after
+    /// each crossing. Cost: the square of the segments that cross it.
     fn piece_inside(&self, x: i32, y: i32, p: Raw, q: Raw) -> bool {
         let upright = p.x == q.x;
         let frame = WayFrame {
@@ -307,7 +307,7 @@ const fn framed(p: Raw, upright: bool) -> Raw {
     if upright { Raw { x: p.y, y: p.x } } else { p }
 }
 
-/// The way right from `p`; coordinates are exchanged where it leads up in the level.
+/// The line right from `p`; coordinates are exchanged if it leads up in the level.
 struct WayFrame {
     upright: bool,
     p: Raw,
@@ -321,7 +321,7 @@ struct FramedEdge {
     dir: Raw,
 }
 
-/// Where a segment crosses the lines just above and just below the way: after `num / den`, with
+/// Where a segment crosses the lines just above and just below that line: after `num / den`, with
 /// `num > 0`.
 struct Cut {
     num: u64,
@@ -351,7 +351,7 @@ impl WayFrame {
         }
     }
 
-    /// The change from below to above of a segment along the way that covers its start.
+    /// The change from below to above of a segment along the line that covers its start.
     fn runs_through_start(&self, seg: &FramedEdge) -> i32 {
         let level = seg.dir.y == 0 && seg.a.y == self.p.y;
         if level && (seg.a.x <= self.p.x) != (seg.b.x <= self.p.x) { seg.dir.x.signum() } else { 0 }

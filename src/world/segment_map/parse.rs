@@ -1,4 +1,4 @@
-//! From bytes to a map: how large it is, and everything that queries rely on, checked once.
+//! From bytes to a map: its size, and a check of everything on which queries rely.
 //!
 //! No step of the checks, and none of a query, depends on bytes that were not checked before.
 
@@ -27,8 +27,8 @@ impl Size {
         self.grid
     }
 
-    /// The number of segments. Edges that polygons share are not counted; an edge of a wall counts
-    /// two, of a one-way chain one.
+    /// The number of segments. Edges that polygons share are not counted. An edge of a wall counts
+    /// as two, that of a one-way chain as one.
     #[must_use]
     pub const fn segments(&self) -> u16 {
         self.segments
@@ -40,7 +40,7 @@ impl Size {
         self.refs
     }
 
-    /// Bytes of the whole: 34, and 24 per segment, 2 per reference, 3 per cell.
+    /// The number of bytes of the level: 34, and 24 per segment, 2 per reference, 3 per cell.
     ///
     /// Below 2^32, as there are fewer than 2^30 cells.
     #[must_use]
@@ -92,7 +92,7 @@ pub(super) struct Tables<'a> {
     pub(super) winding: &'a mut [u8],
 }
 
-/// The first bytes, and the others; none where there are not so many.
+/// The first bytes, and the others; none if there are fewer.
 const fn cut(data: &mut [u8], at: usize) -> (&mut [u8], &mut [u8]) {
     match data.split_at_mut_checked(at) {
         Some(parts) => parts,
@@ -103,18 +103,18 @@ const fn cut(data: &mut [u8], at: usize) -> (&mut [u8], &mut [u8]) {
 impl<'a> SegmentMap<'a> {
     /// A view of a level in its byte form, as [`build_into`](Self::build_into) writes it.
     ///
-    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All promises that queries
-    /// rely on are checked, and no bytes can make them panic or loop. The level must be one that
-    /// could have been built: its cells list all segments that meet them, and every winding number
-    /// is right. Whether the polygons close is not checked. In a constant, a damaged file is a
-    /// compile error and the program pays nothing.
+    /// Nothing is copied: `include_bytes!` is enough, at any alignment. All conditions on which
+    /// queries rely are checked, and no bytes can make them panic or loop. The level must be one
+    /// that could have been built: its cells list all segments that meet them, and every winding
+    /// number is right. It does not check whether the polygons are closed. In a constant, a damaged
+    /// file is a compile error and the program pays nothing.
     ///
     /// Cost: each byte for the checksum, each reference twice (to find it among those of its cell,
     /// and for the winding numbers).
     ///
     /// # Errors
-    /// [`SegmentMapError`] says what is wrong and where. Any change of a single byte and any other
-    /// length is refused.
+    /// [`SegmentMapError`] says what is wrong and where. Every change of a single byte and every
+    /// other length is refused.
     ///
     /// ```
     /// use tilesat::{Path, PathKind, SegmentMap, SegmentMapError, Vec2, fx};
@@ -321,7 +321,7 @@ impl SegmentMap<'_> {
         if needed == found { Ok(()) } else { Err(SegmentMapError::RefCount { needed, found }) }
     }
 
-    /// Whether a cell refers to a segment: by halves, as its indices ascend.
+    /// Whether a cell refers to a segment, by binary search, because its indices ascend.
     const fn refers(&self, x: i32, y: i32, index: u16) -> bool {
         let refs = self.refs(x, y);
         let (mut from, mut to) = (0, refs.left.len() >> 1);

@@ -1,5 +1,5 @@
-//! The input of a segment map: polygons and chains of points, their edges, and the rest where
-//! polygons share one.
+//! The input of a segment map: polygons and chains of points, their edges, and the remaining parts
+//! of edges that polygons share.
 
 use crate::error::Quantity;
 use crate::num::{Axis, DOMAIN, Fx, Raw, Vec2};
@@ -19,17 +19,17 @@ use crate::world::grid::Grid;
 pub enum PathKind {
     /// A closed polygon, in either winding, that is solid inside.
     Solid,
-    /// A closed polygon, in either winding, that takes its inside out of the solids that it lies
-    /// in. A part in the open has edges with nothing behind them, and so have parts of polygons
-    /// that cross or touch themselves: bodies pass those from behind and stay there. The example
-    /// `lint` finds them.
+    /// A closed polygon, in either winding, that removes its inside from the solids around it. A
+    /// part outside of solids has edges with nothing behind them, and so have polygons that cross
+    /// or touch themselves. Bodies pass such edges from behind and stay there. The example `lint`
+    /// finds them.
     Hole,
-    /// An open chain without thickness that blocks from both sides. Where the last point is the
+    /// An open chain without thickness that blocks from both sides. If the last point equals the
     /// first, it is a loop.
     Wall,
-    /// An open chain whose faces block only bodies from their front, `(dir.y, -dir.x)`, around the
-    /// chain's convex corners too. A free end carries by its face alone: a body over the upper end
-    /// of a slope falls past it. End a slope with a level piece.
+    /// An open chain whose faces block only bodies from their front, `(dir.y, -dir.x)`, also around
+    /// the chain's convex corners. A free end carries only by its face: a body over the upper end
+    /// of a slope falls past it. So end a slope with a level piece.
     OneWay,
 }
 
@@ -39,13 +39,13 @@ impl PathKind {
     }
 }
 
-/// A polygon or a chain of line segments, with flags for all of them.
+/// A polygon or a chain of line segments, with common flags.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Path<'a> {
     /// The corners. The last one of a polygon joins the first, which is not repeated.
     pub points: &'a [Vec2],
-    /// Its kind.
+    /// The kind of the path.
     pub kind: PathKind,
     /// The user's flags.
     pub flags: u8,
@@ -76,7 +76,7 @@ pub(super) struct PathEdge {
 }
 
 impl PathEdge {
-    /// From `a` to `b`, which are not the same and inside the domain.
+    /// From `a` to `b`, which differ and are inside the domain.
     pub(super) const fn between(a: Raw, b: Raw) -> Self {
         let d = b.sub(a);
         let len = gcd(d.x.unsigned_abs(), d.y.unsigned_abs()) as i32;
@@ -122,7 +122,7 @@ pub(super) const fn edges(path: &Path<'_>) -> usize {
     if path.kind.is_polygon() { path.points.len() } else { path.points.len().saturating_sub(1) }
 }
 
-/// The sign of a polygon's signed area: 1 where the inside is on the left.
+/// The sign of a polygon's signed area: 1 if the inside is on the left.
 ///
 /// The triangles of the first point and an edge are below 2^61 (twice their area), and fewer than
 /// 2^31: the sum is kept as two, one of the low words and one of the high.

@@ -1,4 +1,4 @@
-//! Which cells a segment meets, exactly and without division; which a query looks at; and how many
+//! The cells that a segment meets, exactly and without division; the cells of a query; and how many
 //! solids hold the corner of each.
 
 use super::{Kind, SegmentMap};
@@ -141,7 +141,7 @@ impl SegmentMap<'_> {
     }
 }
 
-/// The first and the last cell of the grid from `first` to `last`; none where the box begins beyond
+/// The first and the last cell of the grid from `first` to `last`; none if the box begins beyond
 /// the end.
 const fn along(span: &GridAxis, lo: i32, first: i32, last: i32) -> (i32, i32) {
     let count = span.count as i32;
@@ -163,7 +163,8 @@ impl SegmentMap<'_> {
     ///                  solid left, y up          between the corners, the right one included and the left one not.
     /// ```
     ///
-    /// All that crosses the line before a corner meets the closed square of the cell before it.
+    /// Every segment that crosses the line before a corner meets the closed square of the cell
+    /// before it.
     pub(super) const fn next_winding(&self, x: i32, y: i32, before: i32) -> i32 {
         let left = Raw { x: self.grid.x.origin.wrapping_add(self.grid.line(x)), y: self.grid.line_y(y) };
         if x == 0 {

@@ -12,8 +12,8 @@ use crate::world::ray::walk::{Beyond, RayWalk};
 use crate::world::ray::{RayHit, RayPieces, RayRules, rays};
 
 impl<'a> SegmentMap<'a> {
-    /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment
-    /// there is one.
+    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
+    /// count as one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray), and the step's segments once more for each hit.
     ///
@@ -40,15 +40,15 @@ impl<'a> SegmentMap<'a> {
 rays! {
     [] SegmentMap<'_> {
         /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or
-        /// `None` where it ends before.
+        /// `None` if it ends before.
         ///
         /// Every decision is exact, by the rules of
-        /// [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: it hits
-        /// the wall at 0 in whatever direction it leaves the line. A start inside has no flags and
-        /// no index.
+        /// [`TileMap::cast_ray`](crate::TileMap::cast_ray). A start on a wall has no side: a ray
+        /// that leaves the line in any direction hits the wall at 0. A start inside has no flags
+        /// and no index.
         ///
-        /// Cost: the segments of the cells that the ray comes through, each tested in each of its
-        /// cells. It needs no division for what it rejects.
+        /// Cost: one test for each segment in each cell that the ray passes. A rejected segment
+        /// needs no division.
         ///
         /// ```
         /// use tilesat::{Axis, Inside, Path, PathKind, Vec2, fx, segment_map};
@@ -124,7 +124,7 @@ impl RayLevel for SegmentMap<'_> {
         self.point_inside(o)
     }
 
-    /// Walls have no inside, but what crosses one is stopped.
+    /// Walls have no inside, but stop rays that cross them.
     fn enters(&self, o: Raw, d: Raw, _: &RayWalk) -> bool {
         let crosses =
             |seg: &Seg| seg.kind == Kind::Wall && seg.holds(o) && Raw { x: seg.dir.x, y: seg.dir.y }.cross(d) != 0;

@@ -1,4 +1,4 @@
-//! The surface of a segment map, served by a cursor; a segment map as a level. Also which ends of
+//! The surface of a segment map, returned by a cursor; a segment map as a level. Also which ends of
 //! segments block by themselves.
 
 use super::{Kind, Refs, Seg, SegmentMap};
@@ -10,22 +10,22 @@ use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, Geometry, World, sealed};
 
 impl SegmentMap<'_> {
-    /// The segments that may have a point in the closed region as faces. The vertex at its end
-    /// follows each, if it is in the region.
+    /// The faces of the segments that may have a point in the closed region. Each is followed by
+    /// the vertex at its end, if that is in the region.
     ///
     /// Each comes once, in the order of the region's cells, row after row, and within a cell by
-    /// index. Faces near the region may come too. The boundary of a polygon is one face per
+    /// index. Faces near the region may be included. The boundary of a polygon is one face per
     /// segment. A wall has one on each side, a one-way segment one on its outward normal's side. A
     /// feature's cell is the one that holds its start, or its corner.
     ///
-    /// Cost: the references of the cells of the region, up to three tests each; for each end
-    /// without a vertex, the segments of its cell.
+    /// Cost: up to three tests for each reference of the cells of the region, and the segments of a
+    /// cell for each end without a vertex.
     ///
     /// ```
     /// use tilesat::{Aabb, Path, PathKind, Vec2, fx, segment_map, world::Geometry};
     /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0), Vec2::from_ints(128, 64)];
     /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], fx!(32));
-    /// // Around the top: both slopes, and the corner between them.
+    /// // Around the top there are both slopes, and the corner between them.
     /// let region = Aabb::new(Vec2::from_ints(60, 0), Vec2::from_ints(68, 8)).unwrap();
     /// let corners = LEVEL.features(&region).filter(|f| matches!(f.geometry, Geometry::Vertex { .. }));
     /// assert_eq!((LEVEL.features(&region).count(), corners.count()), (3, 1));
@@ -199,7 +199,7 @@ impl World for SegmentMap<'_> {
 #[derive(Clone, Copy)]
 struct Branch {
     dir: Axis,
-    /// Whether the part after it, on the way around, is solid by one of them.
+    /// Whether the part after it, in the direction of the turn, is solid by one of them.
     after: bool,
     /// Whether the part before it is.
     before: bool,
@@ -212,7 +212,7 @@ impl SegmentMap<'_> {
     ///
     /// It does if the surface continues straight, or turns toward the front and is solid up to
     /// beyond `p`. It does not if the face meets a wall or a spike from below, or the surface of a
-    /// solid that contains it: a body above reaches `p`.
+    /// solid that contains it, because a body above reaches `p`.
     ///
     /// ```text
     ///      |####        ####|####         box                 f: the face, its front is on the right

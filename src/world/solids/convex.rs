@@ -1,8 +1,8 @@
 //! Moving solids of any convex shape as a level.
 //!
-//! Each serves the whole border of its shape, also where another one covers it. Bodies never come
-//! to such a piece: the other solid stops them before. A corner that lies on a flush surface has
-//! no side in front of that surface, so a body slides past it.
+//! Each solid serves the whole border of its shape, even if another one covers it. Bodies never
+//! reach such a piece, because the other solid stops them before. A corner that lies on a flush
+//! surface has no side in front of that surface, so a body slides past it.
 
 use super::convex_solid::{ConvexSolid, SolidShape};
 use crate::num::Raw;
@@ -15,12 +15,12 @@ use crate::world::level::{Feature, MotionPiece, Seen, World, levels, meets_as_wo
 /// memory.
 ///
 /// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its lifts and bumpers in it.
-/// Hits name a solid by its key: [`Solids::key_of`](crate::Solids::key_of) reads it. Bodies slide on the solids, bounce
-/// off them, and stand on them as on any level.
+/// [`Solids::key_of`](crate::Solids::key_of) returns the key of the solid of a hit. Bodies slide on
+/// the solids, bounce off them, and stand on them, as on any level.
 ///
 /// Cost: an overlap test compares each bounding box, and then the sides of those that are near.
-/// Reading the surface takes some hundred instructions for each corner of a near solid, for its
-/// directions are reduced on the way.
+/// Reading the surface takes some hundred instructions for each corner of a near solid, because its
+/// directions have to be reduced.
 ///
 /// ```
 /// use tilesat::{Circle, Mover, Response, TileKinds, TileMap, Vec2, fx};
@@ -54,7 +54,7 @@ impl<'a, S: SolidShape> ConvexSolids<'a, S> {
 
     /// The faces, corners and arcs of the solids that have a point in the closed region.
     ///
-    /// Pieces that another solid covers come too.
+    /// Pieces that another solid covers are included.
     pub const fn features(&self, region: &Aabb) -> ConvexFeatures<'a, S> {
         ConvexFeatures { list: self.list, region: *region, next: 0 }
     }
@@ -150,7 +150,7 @@ impl<S: SolidShape> World for ConvexSolids<'_, S> {
         false
     }
 
-    /// No motion is cut into pieces for them: each piece would look at all of them.
+    /// No motion is cut into pieces for these solids, because each piece would look at all of them.
     fn cell_size(&self) -> u32 {
         u32::MAX >> 1
     }

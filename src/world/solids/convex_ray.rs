@@ -1,7 +1,7 @@
 //! Rays against a list of convex solids.
 //!
-//! A ray comes into a convex solid once at most. So each hit is a look at all solids for the
-//! earliest one after the last hit. Moments are compared exactly, within arcs too.
+//! A ray enters a convex solid once at most. So each hit is a search of all solids for the earliest
+//! one after the last hit. Moments are compared exactly, also within arcs.
 
 use super::Solids;
 use super::convex::ConvexSolids;
@@ -24,8 +24,8 @@ impl<S: SolidShape> RayPieces for ConvexSolids<'_, S> {
 }
 
 impl<'a, S: SolidShape> ConvexSolids<'a, S> {
-    /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment
-    /// there is one.
+    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
+    /// count as one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray) for each hit.
     ///
@@ -45,23 +45,23 @@ impl<'a, S: SolidShape> ConvexSolids<'a, S> {
 
 rays! {
     [S: SolidShape] ConvexSolids<'_, S> {
-        /// The first point of the closed solids, where they are now, that a ray from `origin` along
-        /// `motion` meets. `None` where it ends before.
+        /// The first point of the closed solids at their current positions that a ray from `origin`
+        /// along `motion` meets. `None` if it ends before.
         ///
-        /// Every decision is exact, which of several solids comes first too. Each solid is met by
-        /// itself, by the rules of its shape's own `cast_ray`: a ray that touches a sharp corner
-        /// hits it, and a tangent of a round part is no hit. A ray that starts inside of one solid
-        /// meets the border of another one there, and so does
+        /// Every decision is exact, also which of several solids comes first. Each solid is tested
+        /// separately, by the rules of its shape's own `cast_ray`. A ray that touches a sharp
+        /// corner hits it, and a tangent of a round part is no hit. A ray that starts inside of one
+        /// solid meets the border of another one there, and so does
         /// [`cast_ray_all`](Self::cast_ray_all). A ray along the line between two flush solids is
         /// in neither.
         ///
-        /// The hit's [`cell`](RayHit::cell) names the solid, see
-        /// [`Solids::key_of`](crate::Solids::key_of). Of several at one moment that is the one whose
-        /// normal is more along x, then a straight side before a round one, then the smaller
-        /// coordinates, then the smaller key.
+        /// The [`cell`](RayHit::cell) of the hit names the solid: see
+        /// [`Solids::key_of`](crate::Solids::key_of). If several are hit at the same moment, the
+        /// one whose normal is more along x wins. Then a straight side wins over a round one, then
+        /// the smaller coordinates, then the smaller key.
         ///
-        /// Cost: a comparison of boxes for each solid. For each side or arc of a near one a few
-        /// products of double words, and two more for each that may be the first.
+        /// Cost: a comparison of boxes for each solid. Each side or arc of a near solid takes a few
+        /// products of double words, and two more if it may be the first.
         ///
         /// ```
         /// use tilesat::world::{ConvexSolid, ConvexSolids};
@@ -81,8 +81,8 @@ rays! {
         /// # Errors
         /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
-        /// Whether the straight line from `a` to `b` is free of the solids, as a ray from `a` sees
-        /// it, and does not start inside.
+        /// Whether the straight line from `a` to `b` is free of the solids and does not start
+        /// inside. A ray from `a` decides it.
         ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
@@ -142,7 +142,8 @@ impl<S: SolidShape> RayScan for ConvexRayHits<'_, S> {
 }
 
 impl<'w, S: SolidShape> ConvexRayHits<'w, S> {
-    /// The solid that the start is strictly inside of; of several the one with the smallest key.
+    /// The solid that strictly contains the start; if there are several, the one with the smallest
+    /// key.
     fn holder(&self) -> Option<&'w ConvexSolid<S>> {
         let eye = [self.o.vec2()];
         let holds = |solid: &&ConvexSolid<S>| {
@@ -153,7 +154,7 @@ impl<'w, S: SolidShape> ConvexRayHits<'w, S> {
         self.all.list().iter().filter(holds).min_by_key(|solid| solid.key())
     }
 
-    /// Where the ray comes into a solid, and when.
+    /// Where and when the ray enters a solid.
     #[inline(never)]
     fn met(&self, solid: &ConvexSolid<S>) -> Option<(Met, RayMoment)> {
         let (o, d) = (self.o, self.d);
@@ -183,8 +184,8 @@ impl<'w, S: SolidShape> ConvexRayHits<'w, S> {
     }
 }
 
-/// Whether a ray from the border of a polygon does not lead inside: it slides along a side that it
-/// starts on, or goes out by it.
+/// Whether a ray from the border of a polygon does not lead inside: it slides along the side on
+/// which it starts, or leaves there.
 fn leaves(core: Core<'_>, o: Raw, d: Raw) -> bool {
     (0..core.corners.len()).any(|i| {
         let into = core.facing_normal(i);

@@ -1,7 +1,6 @@
 //! One convex solid: its shape, and its motion or turn in this frame.
 
 use super::features::SolidBorder;
-use super::solid::Solid;
 use crate::error::{Quantity, RangeError};
 use crate::num::{MOTION, Raw, Vec2, check_motion, usqr};
 use crate::query::Core;
@@ -187,18 +186,18 @@ pub struct ConvexSolid<S> {
     /// The shape after this frame.
     next: S,
     drive: Drive,
-    /// The box around both. Every body asks for it, so each change of the solid computes it once.
+    /// The box around both. Every body needs it, so each change of the solid computes it once.
     pub(super) whole: Aabb,
     key: u16,
     flags: u8,
 }
 
-/// How a solid gets to its next shape.
+/// How a solid changes to its next shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Drive {
     Moves(Vec2),
-    /// The first corner goes to the corner `shift` of the next shape, and so on around. The longest
-    /// way of a corner along x or y is `longest`.
+    /// The first corner moves to the corner `shift` of the next shape, and so on around. `longest`
+    /// is the longest displacement of a corner along x or y.
     Turns {
         shift: usize,
         longest: u32,
@@ -206,8 +205,8 @@ enum Drive {
 }
 
 impl Drive {
-    /// To sides as long as its own, if there are such: a turned shape has them. Of several by the
-    /// least turn, in which the sides agree best.
+    /// Maps corners to sides of equal lengths, which a turned shape has. If there are several
+    /// choices, it takes the least turn, in which the sides agree best.
     fn of_turn(p: Core<'_>, q: Core<'_>) -> Self {
         let side = |core: Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
         // A turn rounds corners: lengths differ by 8 raw at most, and their squares by 16 lengths.
@@ -235,13 +234,12 @@ fn longer(d: Raw) -> u32 {
 }
 
 impl<S: SolidShape> ConvexSolid<S> {
-    /// A shape at rest. The `key` is the game's name for it: results carry it, and ties go to the
-    /// smaller one. In a constant, call `convex_solid` of the
-    /// [shape](OrientedBox::convex_solid).
+    /// A solid at rest. Choose the `key`: results contain it, and on a tie the smaller key wins. In
+    /// a constant, call `convex_solid` of the [shape](OrientedBox::convex_solid).
     ///
     /// # Errors
-    /// [`RangeError`] of [`Quantity::Area`] if nothing could overlap it, of [`Quantity::BodySize`]
-    /// if a half extent is not below 2^28 raw, and of [`Quantity::Rounding`] if it has a radius and
+    /// [`RangeError`] of [`Quantity::Area`] if the shape has no area, of [`Quantity::BodySize`] if
+    /// a half extent is not below 2^28 raw, and of [`Quantity::Rounding`] if it has a radius and
     /// slanted sides. An `OrientedBox` or `ConvexPolygon` with a radius is refused, too.
     pub fn new(shape: S, key: u16) -> Result<Self, RangeError> {
         shape.solid(key)
@@ -253,8 +251,8 @@ impl<S: SolidShape> ConvexSolid<S> {
         self
     }
 
-    /// The same solid with a motion for this frame, from its present position. It is a new value:
-    /// to change a solid in a list, call [`set_motion`](Self::set_motion).
+    /// This solid with a motion for this frame, from its current position. The result is a new
+    /// value: to change a solid in a list, call [`set_motion`](Self::set_motion).
     ///
     /// # Errors
     /// [`RangeError`] if the motion has a component of [`MOTION`] or more, or would take the shape
@@ -284,13 +282,13 @@ impl<S: SolidShape> ConvexSolid<S> {
         Ok(())
     }
 
-    /// The same solid with another shape after this frame: turned, and moved if you like. It is a
-    /// new value: to change a solid in a list, call [`set_turn`](Self::set_turn).
+    /// This solid with another shape after this frame, which may be turned and moved. The result is
+    /// a new value: to change a solid in a list, call [`set_turn`](Self::set_turn).
     ///
-    /// Its corners go to those of `next` between sides of the same lengths; if there are several,
-    /// to those that need the least turn. So turn a plank by less than 90 degrees, a square by less
-    /// than 45. Bodies are taken along by the part of the border that they touch, and stay in front
-    /// of it. The smaller the steps, the rounder the way.
+    /// Its corners move to those of `next` between sides of the same lengths. If there are several
+    /// choices, the least turn is used. So turn a plank by less than 90 degrees, and a square by
+    /// less than 45. The part of the border that a body touches carries it, and the body stays in
+    /// front of it. Smaller steps give rounder paths.
     ///
     /// # Errors
     /// [`RangeError`] as for [`new`](Self::new), of [`Quantity::Rounding`] if one of both has a
@@ -333,7 +331,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         Self { next, whole: self.shape.extent().union(&next.extent()), ..self }
     }
 
-    /// The solid after this frame: at its new position, without a motion.
+    /// The solid after this frame, at its new position and without a motion.
     pub fn moved(mut self) -> Self {
         self.go();
         self
@@ -345,7 +343,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         (self.shape, self.drive, self.whole) = (self.next, Drive::Moves(Vec2::ZERO), self.next.extent());
     }
 
-    /// Moves all solids of a list at once. Call it after you have asked where the bodies
+    /// Moves all solids of a list at once. Call it after the bodies
     /// [ride](crate::Mover::ride_convex), and before they move by themselves.
     pub fn move_all(list: &mut [Self]) {
         for solid in list {
@@ -374,7 +372,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         }
     }
 
-    /// Your key for it.
+    /// The key that you chose.
     #[must_use]
     pub const fn key(&self) -> u16 {
         self.key
@@ -391,12 +389,12 @@ impl<S: SolidShape> ConvexSolid<S> {
         &self.whole
     }
 
-    /// Where it is in this frame, unless it moves nothing.
+    /// The box that it covers in this frame; `None` if it moves nothing.
     pub(crate) fn passes(&self) -> Option<Aabb> {
         (self.motion() != Some(Vec2::ZERO)).then_some(self.whole)
     }
 
-    /// The longest way of a corner in this frame, along x or y.
+    /// The longest displacement of a corner in this frame, along x or y.
     pub(crate) fn longest(&self) -> u32 {
         match self.drive {
             Drive::Moves(motion) => longer(Raw::of(motion)),
@@ -421,7 +419,7 @@ impl<S: SolidShape> ConvexSolid<S> {
 
     /// The cell of its features, which holds the key.
     pub(super) const fn cell(&self) -> Cell {
-        Cell::new(self.key as i16, Solid::ROW)
+        Cell::of_solid(self.key)
     }
 
     /// The border with these corners: its own, or those after this frame.

@@ -1,4 +1,4 @@
-//! The faces and corners of solids: of a list of boxes those that no other box of the list covers,
+//! The faces and corners of solids: those of a list of boxes that no other box of the list covers,
 //! and the border of a convex solid.
 
 use super::solid::{Side, Solid};
@@ -32,8 +32,7 @@ impl<'w> SolidFeatures<'w> {
         Self { all, next: all, region: (region.lo(), region.hi()), of: None, left: 0, asked: 0xff }
     }
 
-    /// Of those, only the pieces that a motion can hit: faces that it goes against, and their
-    /// corners.
+    /// Limits the pieces to those that a motion can hit: faces that it opposes, and their corners.
     pub(super) const fn against(self, d: Raw) -> Self {
         let faces = faces_against(d);
         // Corner 4 + k is between the faces k and k + 1.
@@ -61,7 +60,7 @@ impl Iterator for SolidFeatures<'_> {
     }
 }
 
-/// The faces that a motion goes against.
+/// The faces that a motion opposes.
 pub(super) const fn faces_against(d: Raw) -> PieceSet {
     (d.y > 0) as PieceSet | ((d.x < 0) as PieceSet) << 1 | ((d.y < 0) as PieceSet) << 2 | ((d.x > 0) as PieceSet) << 3
 }
@@ -165,7 +164,7 @@ fn covered(list: &[Solid], solid: &Solid, k: u8) -> bool {
     true
 }
 
-/// A piece of a box, where it is part of the surface.
+/// A piece of a box, if it is part of the surface.
 fn piece(list: &[Solid], solid: &Solid, index: u8) -> Option<Feature> {
     let k = index & 3;
     // Corner k + 1, where the face ends: k + 2 is beyond it and k before it.
@@ -206,14 +205,12 @@ impl Solid {
         }
     }
 
-    /// The cell that stands for the box: its key in a row that no grid has, as theirs begin at -1.
+    /// The cell of its features, which holds the key.
     pub(super) const fn cell(&self) -> Cell {
-        Cell::new(self.key() as i16, Self::ROW)
+        Cell::of_solid(self.key())
     }
 
-    pub(super) const ROW: i16 = i16::MIN;
-
-    /// The pieces of the box alone, as bits: of a one-way platform one face, as a one-way tile is.
+    /// The pieces of the box alone, as bits: a one-way platform has one face, as a one-way tile.
     pub(crate) const fn pieces(&self) -> u8 {
         match self.one_way() {
             Some(side) => 1 << number(side),
@@ -222,8 +219,8 @@ impl Solid {
     }
 }
 
-/// The border of a convex solid. Of a corner number i, 5 i is the face that begins there, and
-/// 5 i + 1 its vertex. Of a rounded one those from 5 i + 1 on are arcs.
+/// The border of a convex solid. For corner number i, 5 i is the face that begins there, and 5 i +
+/// 1 is its vertex. If the corner is rounded, the pieces from 5 i + 1 on are arcs.
 pub(crate) struct SolidBorder<'a> {
     pub(super) core: Core<'a>,
     pub(super) cell: Cell,

@@ -12,8 +12,8 @@
 //!    3 | 2
 //! ```
 //!
-//! So the corner of a union is convex where nothing is in c + 1 and c + 3. Face c continues beyond
-//! its start, which is corner c, where something is in c + 3 and nothing in c + 1, before it.
+//! So the corner of a union is convex if c + 1 and c + 3 are empty. Face c continues beyond its
+//! start, which is corner c, if c + 3 is filled and c + 1, before it, is empty.
 
 pub(super) mod convex;
 pub(super) mod convex_ray;
@@ -36,10 +36,10 @@ use crate::world::trail::Trail;
 use features::SolidFeatures;
 use solid::Solid;
 
-/// Moving boxes as a level, at their present positions. It borrows the list and needs no memory.
+/// Moving boxes as a level, at their current positions. It borrows the list and needs no memory.
 ///
 /// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its platforms and doors in it.
-/// A platform that lies flush with a floor, or with another platform, is one floor with it: no seam
+/// A platform that is flush with a floor, or with another platform, is one floor with it: no seam
 /// trips a walker.
 ///
 /// ```text
@@ -48,9 +48,9 @@ use solid::Solid;
 ///   ####|  a  |  b   |                                   ####         (no face between a and b, no corner at their joint)
 /// ```
 ///
-/// The order of the list changes no result. Where several solids give the same answer, the ids of a
-/// hit may be any one's. A [one-way](Solid::with_one_way) solid is a single face, which blocks
-/// bodies from entirely in front. It takes no part in `overlaps` and `touches`. A feature's
+/// The order of the list changes no result. If several solids give the same answer, a hit may name
+/// any of them. A [one-way](Solid::with_one_way) solid is a single face, which blocks only bodies
+/// that are entirely in front of it. `overlaps` and `touches` ignore it. A feature's
 /// [`cell`](crate::world::Feature::cell) holds the key: see [`Solids::key_of`].
 ///
 /// Each box is tested separately, so a point (a body without area) on the line between two flush
@@ -58,7 +58,7 @@ use solid::Solid;
 ///
 /// Cost: an overlap test looks at each of the n boxes. Reading the surface looks at all of them for
 /// each piece near the region; a box has 8 pieces. A face that k other boxes cover together takes k
-/// such looks. Keep lists short: the platforms of a screen. It cannot fail.
+/// such looks. Keep lists as short as the platforms of a screen. It cannot fail.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -90,39 +90,37 @@ impl<'a> Solids<'a> {
         self.list
     }
 
-    /// The key of the solid that a feature, a contact, a floor or a hit names by its cell. `None`
-    /// for the cell of a tile or a segment.
+    /// The key of a solid, from the cell of a feature, a contact, a floor or a hit. `None` for the
+    /// cell of a tile or a segment.
     ///
-    /// You can pass it any hit of a [joined](crate::Joined) level. The
-    /// [`source`](crate::world::Feature::source) distinguishes the keys of two joined lists.
+    /// Hits and floors answer it themselves: [`Hit::solid`](crate::Hit::solid),
+    /// [`Support::solid`](crate::Support::solid), [`RayHit::solid`](crate::RayHit::solid). The
+    /// [`source`](crate::world::Feature::source) distinguishes the keys of two
+    /// [joined](crate::Joined) lists.
     ///
     /// ```
-    /// use tilesat::{Aabb, Cell, Fx, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let level = TileMap::from_ascii("   \n###", &KINDS)?;
-    /// let lift = [Solid::new(Aabb::new(Vec2::from_ints(16, 8), Vec2::from_ints(32, 12))?, 7)?];
-    /// let solids = Solids::new(&lift);
-    /// let level = Joined::new(&level, &solids);
-    /// let below = |x| level.cast_ray(Vec2::from_ints(x, 0), Vec2::from_ints(0, 20), Inside::Hit);
-    /// assert_eq!(below(20)?.map(|hit| Solids::key_of(hit.cell)), Some(Some(7)));
-    /// assert_eq!(below(8)?.map(|hit| Solids::key_of(hit.cell)), Some(None)); // the floor
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// use tilesat::{Aabb, Cell, Solid, Solids, Vec2};
+    /// let region = Aabb::new(Vec2::from_ints(16, 8), Vec2::from_ints(32, 12))?;
+    /// let lift = [Solid::new(region, 7)?];
+    /// assert!(Solids::new(&lift).features(&region).all(|feature| Solids::key_of(feature.cell) == Some(7)));
+    /// assert_eq!(Solids::key_of(Cell::new(7, 0)), None); // the cell of a tile
+    /// # Ok::<(), tilesat::RangeError>(())
     /// ```
     #[must_use]
     pub const fn key_of(cell: Cell) -> Option<u16> {
-        if cell.y == Solid::ROW { Some(cell.x as u16) } else { None }
+        cell.solid()
     }
 
     /// The faces and corners of the solids' union that have a point in the closed region, and
     /// one-way faces.
     ///
-    /// A face that others cover in part stays as it is. Cost: see [`Solids`].
+    /// A face that others cover in part is returned whole. Cost: see [`Solids`].
     pub const fn features(&self, region: &Aabb) -> SolidFeatures<'a> {
         SolidFeatures::new(self.list, region)
     }
 
-    /// The solids that a box, circle or point touches anywhere on a straight way, in the order of
-    /// the list: triggers, pick-ups, and doors that a ghost passes.
+    /// The solids that a box, circle or point touches anywhere on a straight motion, in the order
+    /// of the list. Use it for triggers, pick-ups, and doors that a ghost passes.
     ///
     /// One-way solids count as boxes. Exact; borders count. Cost: one or a few exact tests per
     /// solid.
@@ -133,7 +131,7 @@ impl<'a> Solids<'a> {
     /// ```
     /// use tilesat::{Aabb, Joined, Mover, Solid, Solids, TileKinds, TileMap, Vec2};
     /// let solid = |x, key| Solid::new(Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 4, 16))?, key);
-    /// let all = [solid(40, 1)?, solid(20, 2)?, solid(30, 3)?]; // a door, and two curtains
+    /// let all = [solid(40, 1)?, solid(20, 2)?, solid(30, 3)?]; // a door and two curtains
     /// let (doors, curtains) = all.split_at(1);
     /// let level = TileMap::from_ascii("....", &TileKinds::EMPTY)?;
     ///
@@ -162,13 +160,12 @@ impl<'a> Solids<'a> {
         Ok(self.list.iter().filter(move |solid| shape.passes(d, (solid.lo(), solid.hi()))))
     }
 
-    /// The solids that a box, circle or point touches anywhere on the way that a mover made, in the
-    /// order of the list. As [`swept`](Self::swept), for a way of several
-    /// parts; `shape` is the body before the call of
-    /// [`Mover::move_along`](crate::Mover::move_along).
+    /// The solids that a box, circle or point touches anywhere on the path of a mover, in the order
+    /// of the list. It is [`swept`](Self::swept) for a path of several parts; `shape` is the body
+    /// before the call of [`Mover::move_along`](crate::Mover::move_along).
     ///
     /// # Errors
-    /// [`RangeError`] where the way leads out of the [domain](crate::num::DOMAIN).
+    /// [`RangeError`] if the path leads out of the [domain](crate::num::DOMAIN).
     #[doc(alias = "cross")]
     pub fn on<'b, B: Probe>(
         &self,
@@ -188,11 +185,11 @@ impl<'a> Solids<'a> {
 
 levels! {
     [] Solids<'_> {
-        /// Whether a shape overlaps one of the solids; strict and exact. One-way ones are
-        /// never overlapped.
+        /// Whether a shape overlaps one of the solids; strict and exact. One-way solids do not
+        /// count.
         overlaps,
-        /// Whether a shape has a point in common with one of the solids, borders included;
-        /// exact. Not with one-way ones.
+        /// Whether a shape has a point in common with one of the solids, borders included; exact.
+        /// One-way solids do not count.
         touches,
     }
 }
@@ -231,7 +228,7 @@ impl World for Solids<'_> {
         false
     }
 
-    /// No motion is cut into pieces for them: each piece would look at all of them.
+    /// No motion is cut into pieces for these solids, because each piece would look at all of them.
     fn cell_size(&self) -> u32 {
         u32::MAX >> 1
     }

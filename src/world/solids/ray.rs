@@ -1,8 +1,8 @@
 //! Rays against a list of boxes.
 //!
-//! Each hit is a look at all boxes for the earliest face after the last hit. A face shows where the
-//! points just in front of it are in no other box, ends included: a ray meets the surface of the
-//! union. The crossing is a fraction, compared by products.
+//! Each hit is a search of all boxes for the earliest face after the last hit. A face is visible
+//! where the points just in front of it are in no other box, ends included. So a ray meets the
+//! surface of the union. The crossing is a fraction, compared by products.
 
 use super::Solids;
 use super::features::{PieceSet, faces_against, full, in_front, quadrants, quadrants_of};
@@ -19,8 +19,8 @@ impl RayPieces for Solids<'_> {
 }
 
 impl<'a> Solids<'a> {
-    /// All hits of a ray, in order: as if it went on through what it hits. Of hits at one moment
-    /// there is one.
+    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
+    /// count as one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray) for each hit.
     ///
@@ -39,17 +39,17 @@ impl<'a> Solids<'a> {
 
 rays! {
     [] Solids<'_> {
-        /// The first point of the closed solids, where they are now, that a ray from `origin` along
-        /// `motion` meets. `None` where it ends before.
+        /// The first point of the closed solids at their current positions that a ray from `origin`
+        /// along `motion` meets. `None` if it ends before.
         ///
-        /// Every decision is exact, by the rules of
-        /// [`TileMap::cast_ray`](crate::TileMap::cast_ray), of the union of the boxes: a ray along
-        /// a seam of two flush boxes is inside them. The hit's [`cell`](RayHit::cell) names the
-        /// solid, see [`Solids::key_of`]; of several with the same face there the one with the
-        /// smallest key, solid ones before [one-way](Solid::with_one_way) ones.
+        /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray)
+        /// for the union of the boxes: a ray along a seam of two flush boxes is inside them. The
+        /// [`cell`](RayHit::cell) of the hit names the solid: see [`Solids::key_of`]. If several
+        /// have the same face there, it is the one with the smallest key, solid ones before
+        /// [one-way](Solid::with_one_way) ones.
         ///
-        /// Cost: two comparisons of fractions for each box, and for each face that may be the first
-        /// a look at all boxes.
+        /// Cost: two comparisons of fractions for each box, and a look at all boxes for each face
+        /// that may be the first.
         ///
         /// ```
         /// use tilesat::{Aabb, Axis, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -66,8 +66,8 @@ rays! {
         /// # Errors
         /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
-        /// Whether the straight line from `a` to `b` is free of the solids, as a ray from `a` sees
-        /// it, and does not start inside. One-way ones do not block it.
+        /// Whether the straight line from `a` to `b` is free of the solids and does not start
+        /// inside. A ray from `a` decides it. One-way solids do not block it.
         ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
@@ -149,8 +149,8 @@ impl SolidRayHits<'_> {
         x & y & !quadrants(self.all.list(), self.o) == 0
     }
 
-    /// Whether a face is part of the union's surface where the ray crosses it: beside that point,
-    /// on either side, its front is free.
+    /// Whether a face is part of the union's surface where the ray crosses it: its front is free
+    /// beside that point, on either side.
     ///
     /// Differences and motions are below 2^30, and so are times: products are below 2^60.
     fn shows(&self, solid: &Solid, k: u8, time: Time) -> bool {
@@ -171,8 +171,7 @@ impl SolidRayHits<'_> {
         before || behind
     }
 
-    /// The hit of a start inside, of the box that holds it, or of those that meet there if none
-    /// does alone.
+    /// The hit of a start inside: that of the box that holds it, or of those that meet there.
     fn at_start(&self) -> Option<RayHit> {
         if quadrants(self.all.list(), self.o) != 0xf {
             return None;
@@ -204,8 +203,8 @@ pub(super) fn start_inside(o: Raw, d: Raw, (cell, flags): (Cell, u8), cells: u32
     }
 }
 
-/// Earlier, then by the order of all rays, then solid before one-way, then the smaller key: so no
-/// result depends on the list's order.
+/// The earlier hit wins, then the order of all rays, then solid before one-way, then the smaller
+/// key. So no result depends on the list's order.
 fn precedes(a: &Met, b: &Met, d: Raw) -> bool {
     let name = |met: &Met| (met.feature.one_way, Solids::key_of(met.feature.cell));
     let before = |a: &Met, b: &Met| a.touch.precedes::<Solids<'_>>(&a.feature, b, d);

@@ -45,14 +45,14 @@ impl Side {
 ///
 /// A list of them is a level, [`Solids`](crate::world::Solids), and
 /// [`Mover::ride`](crate::Mover::ride) carries and pushes bodies with them. Solids do not push each
-/// other, and nothing stops them: give a platform on a platform the same motion. Solids of other
-/// shapes are [`ConvexSolid`](crate::world::ConvexSolid)s.
+/// other, and nothing stops them: give a platform that stands on another one the same motion.
+/// Solids of other shapes are [`ConvexSolid`](crate::world::ConvexSolid)s.
 ///
 /// ```
 /// use tilesat::{Aabb, Fx, Solid, Vec2};
 /// let lift = Solid::new(Aabb::new(Vec2::from_ints(0, 40), Vec2::from_ints(32, 48))?, 7)?.with_motion(Vec2::from_ints(0, -2))?;
 /// assert_eq!(lift.moved().shape().min().y, 38);
-/// assert_eq!(lift.moved().motion(), Vec2::ZERO); // each frame gives the next motion
+/// assert_eq!(lift.moved().motion(), Vec2::ZERO); // set a motion in each frame
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 ///
@@ -79,11 +79,11 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A box at rest, solid from all sides. The `key` is the game's name for it: results carry it,
-    /// and ties go to the smaller one.
+    /// A box at rest, solid from all sides. Choose the `key`: results contain it, and on a tie the
+    /// smaller key wins.
     ///
     /// # Errors
-    /// [`RangeError`] if the box has no width or no height: nothing could overlap it.
+    /// [`RangeError`] if the box has no width or no height.
     pub const fn new(shape: Aabb, key: u16) -> Result<Self, RangeError> {
         let size = shape.lo().sub(shape.hi());
         if size.x == 0 {
@@ -106,7 +106,7 @@ impl Solid {
         Self { side: Some(side), ..self }
     }
 
-    /// Adds a conveyor: a motion that it gives per frame to the bodies that stand on it.
+    /// Adds a conveyor: a motion per frame for the bodies that stand on the solid.
     ///
     /// ```
     /// use tilesat::{Aabb, Solid, Vec2, world::Side};
@@ -123,8 +123,8 @@ impl Solid {
         Self { conveyor, ..self }.checked()
     }
 
-    /// The same solid with a motion for this frame, from its present position. It is a new value:
-    /// to change a solid in a list, call [`set_motion`](Self::set_motion).
+    /// This solid with a motion for this frame, from its current position. The result is a new
+    /// value: to change a solid in a list, call [`set_motion`](Self::set_motion).
     ///
     /// # Errors
     /// [`RangeError`] if the motion, or its sum with the conveyor, has a component of [`MOTION`] or
@@ -182,15 +182,15 @@ impl Solid {
         }
     }
 
-    /// The solid after this frame: at its new position, without a motion.
+    /// The solid after this frame, at its new position and without a motion.
     pub const fn moved(self) -> Self {
         let d = Raw::of(self.motion);
         let shape = Aabb::from_raw_unchecked(self.shape.lo().add(d), self.shape.hi().add(d));
         Self { shape, motion: Vec2::ZERO, ..self }
     }
 
-    /// Moves all solids of a list at once. Call it after you have asked where the bodies
-    /// [ride](crate::Mover::ride), and before they move by themselves.
+    /// Moves all solids of a list at once. Call it after the bodies [ride](crate::Mover::ride), and
+    /// before they move by themselves.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -202,7 +202,7 @@ impl Solid {
     /// let mut player = boxed(10, 6, 8, 14)?;
     ///
     /// for frame in 0..30 {
-    ///     solids[0] = solids[0].with_motion(Vec2::from_ints(1, 0))?; // 1: where all go, and what they take along
+    ///     solids[0] = solids[0].with_motion(Vec2::from_ints(1, 0))?; // 1: the solids carry the bodies
     ///     player = mover.ride(&level, &solids, &player, Fx::ONE)?.body;
     ///     Solid::move_all(&mut solids); // 2
     ///     let here = Solids::new(&solids); // 3: the player falls, and lands on the platform
@@ -223,7 +223,7 @@ impl Solid {
         self.shape
     }
 
-    /// Your key for it.
+    /// The key that you chose.
     #[must_use]
     pub const fn key(&self) -> u16 {
         self.key
@@ -253,7 +253,7 @@ impl Solid {
         self.motion
     }
 
-    /// Where it is in this frame, unless it moves nothing.
+    /// The box that it covers in this frame; `None` if it moves nothing.
     pub(crate) fn passes(&self) -> Option<Aabb> {
         let moves = self.motion != Vec2::ZERO || self.conveyor != Vec2::ZERO;
         moves.then(|| self.shape.union(&self.moved().shape))

@@ -55,7 +55,7 @@ struct ConvexMachine<S> {
     flags: u8,
 }
 
-/// How it gets to its next shape.
+/// How it changes to its next shape.
 #[derive(Serialize, Deserialize)]
 enum NextShape<S> {
     Moves(Vec2),

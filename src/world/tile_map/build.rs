@@ -7,18 +7,19 @@ use crate::world::grid::Grid;
 use crate::world::tile_map::kind::TileKinds;
 use core::marker::PhantomData;
 
-/// The side of a cell where nothing else is said: 16 units.
+/// The default side of a cell: 16 units.
 const CELL: Fx = Fx::from_bits(16 << 16);
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map of one byte per tile, row after row.
+    /// A map of blocks from one byte per tile, row after row.
     ///
     /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more
-    /// than 511 cells per side do not fit the domain with cells of 16 units:
-    /// [`on_grid`](Self::on_grid) takes the cell at once.
+    /// than 511 cells per side do not fit the domain with cells of 16 units. For these, use
+    /// [`on_grid`](Self::on_grid). For slopes and arcs, use [`of_bytes`](Self::of_bytes).
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, too many, not enough data, or a shape that is not in the set.
+    /// [`TileMapError`] if there are no cells, too many, or not enough data, or if a shape is not
+    /// in the set.
     ///
     /// ```
     /// use tilesat::{TileKind, TileKinds, TileMap, TileMapError};
@@ -33,7 +34,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
         Self::at_origin(tiles, width, height, kinds)
     }
 
-    /// A map of one byte per tile, row after row, on a grid.
+    /// A map of blocks from one byte per tile, row after row, on a grid.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -43,8 +44,8 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bits> {
-    /// A map of one bit per tile, row after row without gaps, the least significant bit of each
-    /// byte first: a clear bit is id 0, a set one id 1.
+    /// A map of blocks from one bit per tile, row after row without gaps. The least significant bit
+    /// of each byte comes first. A clear bit is id 0, and a set one is id 1.
     ///
     /// ```
     /// use tilesat::{Cell, TileKind, TileKinds, TileMap};
@@ -69,8 +70,7 @@ impl<'a> TileMap<'a, Blocks, Bits> {
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of one byte per tile, row after row, on a grid, that can hold the shapes of any
-    /// [`Set`].
+    /// A map of any [`Set`] of shapes from one byte per tile, row after row, on a grid.
     ///
     /// ```
     /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
@@ -79,10 +79,10 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
     ///     .with(b'(', TileKind::of(TileShape::ConcaveBottomLeft));
     /// let grid = Grid::new(2, 1, Fx::from_num(16), Vec2::ZERO)?;
     /// let map = TileMap::<AllShapes>::of(b"/(", grid, &KINDS)?;
-    /// // 45 degrees: five units in front of the slope's middle a ball of 7 reaches it.
+    /// // The slope is 45 degrees: a ball of radius 7 reaches it from five units in front of its middle.
     /// let ball = Circle::new(Vec2::from_ints(3, 3), Fx::from_num(7)).unwrap();
     /// assert!(!map.overlaps(&ball) && !map.touches(&ball));
-    /// // A set that does not have the shape refuses it.
+    /// // A set without the shape refuses it.
     /// assert_eq!(TileMap::<Slopes>::of(b"/(", grid, &KINDS).unwrap_err(), TileMapError::ShapeNotInSet { id: b'(' });
     /// # Ok::<(), TileMapError>(())
     /// ```
@@ -93,8 +93,8 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
         Self::build(tiles, grid, grid.x.count, kinds)
     }
 
-    /// The short form of [`of`](Self::of): cells of 16 x 16 units from the origin, as
-    /// [`new`](TileMap::new) has them.
+    /// A map of any [`Set`] of shapes from one byte per tile, with cells of 16 x 16 units from the
+    /// origin: the short form of [`of`](Self::of).
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
@@ -127,7 +127,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// Every constructor ends here, whatever the set and the store.
+    /// The common end of all constructors, for any set and store.
     pub(in crate::world) const fn build(
         data: &'a [u8],
         grid: Grid,
@@ -170,8 +170,8 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`TileMapError::Stride`] below the width, [`TileMapError::TooShort`] if the data ends before
-    /// the last tile.
+    /// [`TileMapError::Stride`] if the stride is below the width, [`TileMapError::TooShort`] if the
+    /// data ends before the last tile.
     pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
         if stride < self.grid.x.count {
             return Err(TileMapError::Stride(stride));
@@ -211,7 +211,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// Replaces the table of kinds by one that may hold the shapes of another [`Set`].
+    /// Replaces the table of kinds by one that may have the shapes of another [`Set`].
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileShape};
@@ -247,11 +247,11 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
 }
 
 impl<'a> TileMap<'a, Blocks, Bytes> {
-    /// A map from lines of text of one length, one character per tile; the characters are the ids.
-    /// A line feed may end the last row too. One at the start would be an empty row: open a literal
-    /// that begins on the next line with `"\`.
+    /// A map of blocks from lines of text of equal length, one character per tile. The characters
+    /// are the ids. A line feed may also end the last row. A line feed at the start would be an
+    /// empty row: open a literal that begins on the next line with `"\`.
     ///
-    /// Nothing is copied: the map reads the text, stepping over the line feeds. In a constant, a
+    /// Nothing is copied: the map reads the text, and skips the line feeds. In a constant, a
     /// mistake in a level is a compile error. The compiler does some 10 steps per character. Up to
     /// about 100 000 characters stay within its limit on constant evaluation.
     ///
@@ -267,15 +267,16 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// ```
     ///
     /// # Errors
-    /// [`TileMapError`]: no cells, too many, rows of different lengths, or a character that is not
-    /// ASCII. Also a carriage return, which an editor or a checkout on Windows may add.
+    /// [`TileMapError`] if there are no cells or too many, if rows have different lengths, or if a
+    /// character is not ASCII. Also if there is a carriage return, which an editor or a checkout on
+    /// Windows may add.
     pub const fn from_ascii(text: &'a str, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         Self::of_ascii(text, kinds)
     }
 }
 
 impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// Reads a map of any [`Set`] from text.
+    /// A map of any [`Set`] of shapes from lines of text of equal length, one character per tile.
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape};
@@ -305,7 +306,7 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
     }
 }
 
-/// Width and height of a text whose rows have one length.
+/// Width and height of a text whose rows have equal length.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop")]
 const fn measure(text: &[u8]) -> Result<(u32, u32), TileMapError> {
     let (mut width, mut row, mut column) = (0, 0, 0);

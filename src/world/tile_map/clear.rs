@@ -11,8 +11,8 @@ const FAR: i32 = 1 << 27;
 /// Whether no body in a region has a point in the inside of a tile's solid: none that fills its
 /// bounds, and no disc of radius `r`.
 ///
-/// It may say no where that is so; it says yes only then. The inside of the region meets that of
-/// the tile's square.
+/// It may be false although no body has such a point, but is never true otherwise. The inside of
+/// the region meets that of the tile's square.
 ///
 /// In the frame of the solid corner (see [`Form`](super::outline::Form)) `u` and `v` are the
 /// region's least coordinates: bounds with their nearest corner there are nearer to the solid than

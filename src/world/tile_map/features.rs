@@ -1,4 +1,4 @@
-//! The surface of a level, derived from its tiles when asked.
+//! The surface of a level, derived from its tiles on request.
 
 use super::surface::{CellQuery, CellSurface, CellWalk, TileSource};
 use super::{Set, Store, TileMap};
@@ -15,15 +15,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// - A face is a side of a tile's solid, or half of one, where the tile across does not cover
     ///   it; a slope; or the inner side of a half tile.
     /// - An arc is that of a round tile.
-    /// - A vertex is where the solid around a point is a wedge of less than half a turn, tiles that
-    ///   continue each other taken together. There is none on a flat line, where an arc leaves a
-    ///   line smoothly, or in a concave corner. Two wedges that meet in one point have one each.
-    ///   The edge of an arc is its tangent. The thin end of a quarter pipe is a wedge of no angle,
-    ///   with `e_out == -e_in`.
-    /// - A one-way tile has its edge alone, less what the tile before it covers.
+    /// - A vertex is a point around which the solid is a wedge of less than half a turn. Tiles that
+    ///   continue each other count as one solid. There is none on a flat line, where an arc leaves
+    ///   a line smoothly, or in a concave corner. Two wedges that meet in one point have one vertex
+    ///   each. The edge of an arc is its tangent. The thin end of a quarter pipe is a wedge of no
+    ///   angle, with `e_out == -e_in`.
+    /// - A one-way tile has only its edge, less the part that the tile before it covers.
     ///
     /// [`Outside`](crate::world::Outside) counts: in a closed room the solid cells around the map
-    /// have faces inward. Where the border is repeated, faces reach to the end of the domain. With
+    /// have faces inward. If the border is repeated, faces reach to the end of the domain. With
     /// [`Blocks`](crate::world::Blocks) alone they belong to the border's cells, else to separate
     /// cells beyond it.
     ///
@@ -37,15 +37,15 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///   6          5        +---<---+-----<---+         on the line on the right
     /// ```
     ///
-    /// Cost: the cells of the region once each, with 4 neighbours of each full one; 8 of a shaped
-    /// tile's cell whose sides or slope are in the region. On a Cortex-M0 a block with one face
-    /// takes about 200 instructions, as one of shaped tiles about 600. It cannot fail.
+    /// Cost: each cell of the region once. A full one adds its 4 neighbours, and a shaped one 8, if
+    /// its sides or slope are in the region. On a Cortex-M0 a block with one face takes about 200
+    /// instructions, or about 600 among shaped tiles. It cannot fail.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, TileKind, TileKinds, TileMap, Vec2, world::Geometry};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let map = TileMap::from_ascii("...\n###", &KINDS)?;
-    /// // Across the floor's top near the seam between its first two tiles: two flat faces, no corner.
+    /// // On top of the floor, near the seam between its first two tiles: two flat faces, no corner.
     /// let region = Aabb::new(Vec2::from_ints(10, 10), Vec2::from_ints(20, 20)).unwrap();
     /// let faces: Vec<_> = map.features(&region).map(|f| f.geometry).collect();
     /// let len = 16 << 16;
@@ -79,7 +79,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.features_for(&CellQuery::all(region))
     }
 
-    /// Those that a query asks for.
+    /// The features of a query.
     #[inline(never)]
     pub(super) const fn features_for(&self, look: &CellQuery) -> Features<'_, S, T> {
         let ((lo, hi), one) = (look.region, Raw { x: 1, y: 1 });
@@ -87,7 +87,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Features { map: self, look: *look, walk: self.walk_of(range, Range::NONE), surface: S::CellSurface::NONE }
     }
 
-    /// Those that a query asks for, of no cell yet.
+    /// A cursor for the features of a query, at no cell yet.
     #[inline]
     pub(super) const fn features_of(&self, look: &CellQuery) -> Features<'_, S, T> {
         Features { map: self, look: *look, walk: CellWalk::NONE, surface: S::CellSurface::NONE }
@@ -122,7 +122,7 @@ pub struct Features<'w, S: Set, T: Store> {
     pub(crate) map: &'w TileMap<'w, S, T>,
     look: CellQuery,
     walk: CellWalk,
-    /// The features of the cell that the walk has come to.
+    /// The features of the cell that the walk has reached.
     surface: S::CellSurface,
 }
 
@@ -143,7 +143,7 @@ impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
 }
 
 impl<S: Set, T: Store> Features<'_, S, T> {
-    /// Goes to the features of a cell, of a walk that is over.
+    /// Starts the features of a cell, for a walk that has ended.
     pub(super) fn enter(&mut self, block: &Block) {
         let Block { x, y, kind, .. } = *block;
         let in_map = self.map.holds(x, y);
@@ -151,7 +151,7 @@ impl<S: Set, T: Store> Features<'_, S, T> {
         self.surface.load(self.map, &self.walk, &self.look);
     }
 
-    /// The next feature of the cell that the walk has come to.
+    /// The next feature of the cell that the walk has reached.
     #[inline]
     pub(super) fn next_here(&mut self) -> Option<Feature> {
         while !self.surface.is_over() {
@@ -173,7 +173,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         CellWalk { x: 0, y, kind: TileKind::EMPTY, tile: 0, in_map, last: -1, range, seen }
     }
 
-    /// Goes on to the next cell of a walk that has a shape; false where none is left.
+    /// Continues with the next cell of a walk that has a shape; false if none is left.
     #[inline(never)]
     pub(super) const fn walk(&self, walk: &mut CellWalk) -> bool {
         if !walk.in_map {
@@ -206,7 +206,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// The same where some of the range is not in the map.
+    /// [`walk`](Self::walk) for a range that is partly outside the map.
     #[inline(never)]
     const fn walk_beyond(&self, walk: &mut CellWalk) -> bool {
         loop {
@@ -225,7 +225,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// The corners of the cell that a walk has come to.
+    /// The corners of the cell that a walk has reached.
     #[inline]
     pub(super) const fn corners(&self, walk: &CellWalk) -> (Raw, Raw) {
         if S::SHAPED && walk.in_map { self.grid.square(walk.x, walk.y) } else { self.extent(walk.x, walk.y) }

@@ -32,8 +32,8 @@ pub enum TileShape {
     HalfBottom = 4,
     /// The half toward smaller x.
     HalfLeft = 5,
-    /// Half of the cell, cut from corner to corner; each slope and arc is named by the corner where
-    /// it is solid.
+    /// Half of the cell, cut from corner to corner. Each slope and arc is named after the corner
+    /// where it is solid.
     SlopeTopLeft = 6,
     /// As [`SlopeTopLeft`](Self::SlopeTopLeft), at another corner.
     SlopeTopRight = 7,
@@ -49,7 +49,7 @@ pub enum TileShape {
     ConvexBottomRight = 12,
     /// As [`ConvexTopLeft`](Self::ConvexTopLeft), at another corner.
     ConvexBottomLeft = 13,
-    /// The cell without a quarter disc around the corner opposite: a quarter pipe.
+    /// The cell without a quarter disc around the opposite corner: a quarter pipe.
     ConcaveTopLeft = 14,
     /// As [`ConcaveTopLeft`](Self::ConcaveTopLeft), at another corner.
     ConcaveTopRight = 15,
@@ -57,7 +57,7 @@ pub enum TileShape {
     ConcaveBottomRight = 16,
     /// As [`ConcaveTopLeft`](Self::ConcaveTopLeft), at another corner.
     ConcaveBottomLeft = 17,
-    /// A slope of one half cell per cell: half a side high at its corner, nothing at the other.
+    /// A slope of one half cell per cell: half a side high at its corner, zero at the other.
     MildLowTopLeft = 18,
     /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
     MildLowTopRight = 19,
@@ -65,8 +65,8 @@ pub enum TileShape {
     MildLowBottomRight = 20,
     /// As [`MildLowTopLeft`](Self::MildLowTopLeft), at another corner.
     MildLowBottomLeft = 21,
-    /// The same slope raised by half a cell: a whole side high at its corner, half a side at the
-    /// other.
+    /// [`MildLowTopLeft`](Self::MildLowTopLeft) raised by half a cell: a whole side high at its
+    /// corner, half a side at the other.
     MildHighTopLeft = 22,
     /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
     MildHighTopRight = 23,
@@ -74,7 +74,7 @@ pub enum TileShape {
     MildHighBottomRight = 24,
     /// As [`MildHighTopLeft`](Self::MildHighTopLeft), at another corner.
     MildHighBottomLeft = 25,
-    /// A slope of two cells per cell: half a side wide at its corner, nothing at the other.
+    /// A slope of two cells per cell: half a side wide at its corner, zero at the other.
     SteepLowTopLeft = 26,
     /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
     SteepLowTopRight = 27,
@@ -82,8 +82,8 @@ pub enum TileShape {
     SteepLowBottomRight = 28,
     /// As [`SteepLowTopLeft`](Self::SteepLowTopLeft), at another corner.
     SteepLowBottomLeft = 29,
-    /// The same slope moved by half a cell: a whole side wide at its corner, half a side at the
-    /// other.
+    /// [`SteepLowTopLeft`](Self::SteepLowTopLeft) moved by half a cell: a whole side wide at its
+    /// corner, half a side at the other.
     SteepHighTopLeft = 30,
     /// As [`SteepHighTopLeft`](Self::SteepHighTopLeft), at another corner.
     SteepHighTopRight = 31,
@@ -147,9 +147,9 @@ impl TileShape {
     ];
 }
 
-/// A shape and eight flags whose meaning you choose: coin, ladder, deadly, ...
+/// A shape and eight flags, such as coin, ladder or deadly. You choose what the flags mean.
 ///
-/// Flags of tiles that are not solid count too: see
+/// Tiles that are not solid have flags, too: see
 /// [`TileMap::flags_touched`](crate::world::TileMap::flags_touched).
 ///
 /// ```
@@ -168,7 +168,7 @@ pub struct TileKind {
 }
 
 impl TileKind {
-    /// Nothing solid, no flags.
+    /// An empty tile without flags.
     pub const EMPTY: Self = Self::of(TileShape::Empty);
     /// A solid cell.
     pub const FULL: Self = Self::of(TileShape::Full);
@@ -231,11 +231,10 @@ pub enum Fill {
     Full,
 }
 
-/// The kinds of the 256 tile ids: 520 bytes, usually a `static` in flash, shared by all maps of a
-/// game.
+/// The kinds of the 256 tile ids: 520 bytes, usually in a `static` in flash that all maps of a game
+/// share.
 ///
-/// The table remembers which shapes it names. Making a map then asks once whether its set has them,
-/// not 256 times.
+/// The table stores which shapes it has. So making a map takes one test against its set, not 256.
 ///
 /// ```
 /// use tilesat::{TileKind, TileKinds};
@@ -249,7 +248,7 @@ pub enum Fill {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[doc(alias("TileSet", "tile properties"))]
 pub struct TileKinds {
-    /// A separate array: a walk over the shapes is one index away from each.
+    /// A separate array, so a walk over the shapes reads each by one index.
     shapes: [TileShape; 256],
     flags: [u8; 256],
     /// One bit for each shape of the table, and that of `Empty`.
@@ -280,14 +279,13 @@ impl TileKinds {
         self
     }
 
-    /// The same table for bodies that pass the tiles with any of these flags: nothing of them is
-    /// solid. They keep their flags, so
-    /// [`TileMap::flags_swept`](crate::world::TileMap::flags_swept) and
-    /// [`tiles_in`](crate::world::TileMap::tiles_in) report all that a body passes.
+    /// This table for bodies that pass the tiles with any of these flags: such tiles are not solid.
+    /// They keep their flags, so [`TileMap::flags_swept`](crate::world::TileMap::flags_swept) and
+    /// [`tiles_in`](crate::world::TileMap::tiles_in) report all tiles that a body passes.
     ///
-    /// Make one table per kind of body, as a `static`, and give it to the same tiles by
+    /// Make one table per kind of body, as a `static`, and use it for the same tiles by
     /// [`TileMap::with_kinds`](crate::world::TileMap::with_kinds). An occupancy stays valid. Moves
-    /// and casts cost what they cost in any map.
+    /// and casts cost the same as in any map.
     ///
     /// ```
     /// use tilesat::{AllShapes, Inside, TileKind, TileKinds, TileMap, Vec2};

@@ -1,4 +1,4 @@
-//! A tile map as a level: its cells, which of them a box of coordinates reaches, and where there is
+//! A tile map as a level: its cells, which of them a box of coordinates reaches, and if there is
 //! anything at all.
 
 use super::clear::is_clear;
@@ -186,7 +186,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         None
     }
 
-    /// The same from a cell on, with cells beyond the map.
+    /// The next cell of a walk from a cell on, with cells beyond the map.
     #[inline(never)]
     const fn next_cell_beyond(&self, cells: &mut Cells, mut x: i32, mut y: i32) -> Option<Block> {
         while y <= cells.range.y1 {
@@ -311,7 +311,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// Apart from the walk, which mostly comes to empty tiles and needs the registers.
+    /// A separate function: the walk mostly reaches empty tiles, and needs the registers.
     #[inline(never)]
     const fn meet(&self, found: &mut Range, id: u8, (x, y): (i32, i32), region: &Aabb, r: Option<i32>) {
         let kind = self.kinds.get(id);

@@ -1,6 +1,6 @@
-//! The first side of a cell that a moving box comes to among blocks, found line by line.
+//! Finds the first side of a cell that a moving box meets among blocks, line by line.
 //!
-//! A box enters a full cell only where its front comes to a line of the grid. At that moment the
+//! A box enters a full cell only where its front reaches a line of the grid. At that moment the
 //! cells behind the line that the box spans decide. Lines come in the order of time, so the first
 //! one with a hit ends the search.
 
@@ -15,7 +15,7 @@ use crate::world::tile_map::kind::TileKind;
 /// One surface of sides in a line: the first of its cells, and the flags of all.
 #[derive(Clone, Copy)]
 struct Surface {
-    /// Of the cell along the line, or [`NOWHERE`].
+    /// The index of the cell along the line, or [`NOWHERE`].
     index: i32,
     flags: u8,
     one_way: bool,
@@ -28,7 +28,7 @@ const NOWHERE: i32 = i32::MIN;
 impl Surface {
     const NONE: Self = Self { index: NOWHERE, flags: 0, one_way: true, at_end: false };
 
-    /// Solid goes before one-way, and then the smaller index. Cells come by their index.
+    /// Solid wins over one-way, and then the smaller index. Cells come by their index.
     #[inline]
     const fn join(&mut self, index: i32, kind: TileKind) {
         self.flags |= kind.flags;
@@ -42,13 +42,13 @@ impl Surface {
     }
 }
 
-/// What the search for a side asks besides the geometry.
+/// The parameters of the search for a side besides the geometry.
 #[derive(Clone, Copy)]
 #[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
 struct Asked {
     /// Whether the line is across x.
     is_x: bool,
-    /// Whether the box comes to a line of the other axis at the same moment.
+    /// Whether the box reaches a line of the other axis at the same moment.
     tie: bool,
     in_map: bool,
     pass_one_way: bool,
@@ -66,7 +66,7 @@ impl Asked {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The lines that a box comes to on its way.
+    /// The lines that a moving box reaches.
     pub(in crate::world) const fn lines(&self, bounds: &Aabb, d: Raw) -> Lines {
         let (lo, hi) = (bounds.lo(), bounds.hi());
         let inside = if lo.x < hi.x && lo.y < hi.y { self.range_inside(lo, hi) } else { None };
@@ -113,7 +113,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// Whether a box overlaps a full cell where its way starts.
+    /// Whether a box overlaps a full cell at the start of its motion.
     pub(in crate::world) fn starts_inside(&self, lines: &Lines, bounds: &Aabb) -> bool {
         if !lines.in_map {
             return self.overlaps(bounds);
@@ -143,8 +143,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             if next.is_ge() {
                 *seen = seen.wrapping_add(1);
                 let other = self.behind(y, x, Asked { is_x: false, ..asked });
-                // Of the same moment: not at an end, else the side that opposes the motion more,
-                // else the one across x.
+                // At the same moment, a side that is not hit at its end wins, then the side that
+                // opposes the motion more, then the one across x.
                 let goes_first = found.is_none()
                     || (!other.is_none() && if found.at_end == other.at_end { y.way > x.way } else { found.at_end });
                 if goes_first {
@@ -169,13 +169,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         let at = across.lead.wrapping_add(across.step);
         let (mut x, mut y) = if is_x { (at, index) } else { (index, at) };
         if let Outside::Edge = self.outside {
-            // A border cell stands for all beyond it.
+            // A border cell stands for all cells beyond it.
             (x, y) = (merged(x, self.grid.x.count), merged(y, self.grid.y.count));
         }
         BlockHit { x, y, flags, one_way, is_x, step: across.step, at_end, num: across.gap, den: across.way }
     }
 
-    /// The side of the cells behind a line that the front comes to.
+    /// The side of the cells behind a line that the front reaches.
     #[inline(never)]
     fn behind(&self, across: &Sides, aside: &mut Sides, asked: Asked) -> Surface {
         // The rear, at the moment at which the front is at the line.
@@ -204,7 +204,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         found
     }
 
-    /// The same where the box comes to a corner of cells, or cells are beyond the map.
+    /// [`behind`](Self::behind) for a box at a corner of cells, or for cells beyond the map.
     ///
     /// ```text
     ///            | B |       A: the last cell that the box spans. With a tie, its corner
@@ -214,7 +214,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// A box without an extent along the line, and on a line across, spans no cell. It is stopped
-    /// where A's side goes on along B, or at the end of B's if it moves that way.
+    /// where A's side continues along B, or at the end of B's side if it moves in that direction.
     #[inline(never)]
     fn behind_at_corner(&self, across: &Sides, aside: &Sides, asked: Asked) -> Surface {
         let beyond = aside.lead.wrapping_add(aside.step);

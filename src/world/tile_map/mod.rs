@@ -1,5 +1,5 @@
-//! A level of tiles: borrowed bytes, a grid, a table of kinds, and its outside. Its type says which
-//! shapes it can hold, and how ids are stored.
+//! A level of tiles: borrowed bytes, a grid, a table of kinds, and its outside. Type parameters
+//! give the set of shapes that it can hold, and how ids are stored.
 
 mod build;
 mod clear;
@@ -42,19 +42,19 @@ pub enum Outside {
     /// Solid: the map is a closed room.
     Solid,
     /// The border tiles repeat to the end of the domain. If the map's outer edge is solid, so is
-    /// everything beyond it; half an edge gives half a band. A one-way edge continues along its own
-    /// line only: one that blocks from above is not repeated above and below the map.
+    /// everything beyond it; half an edge gives half a band. A one-way edge continues only along
+    /// its own line: one that blocks from above is not repeated above and below the map.
     Edge,
 }
 
-/// A level of square tiles: a view that owns nothing, of 60 bytes on a 32-bit core.
+/// A level of square tiles: a view that owns nothing, and takes 60 bytes on a 32-bit core.
 ///
 /// The solid is the union of its tiles' shapes, borders included, and of [`Outside`]. Its surface
 /// is derived from the tiles when you ask. Interior faces do not exist, so nothing can snag on a
-/// seam. To open a door, write one byte (in memory) and make the map again. It is a view, and
-/// [`of`](Self::of) with a grid from a constant costs a handful of comparisons.
+/// seam. To open a door, write one byte (in memory) and make the map again. Because it is a view,
+/// [`of`](Self::of) with a constant grid costs only a few comparisons.
 ///
-/// `S` is the set of shapes that it can hold, such as [`Blocks`]. `T` is how ids are stored:
+/// `S` is the set of shapes that it can hold, such as [`Blocks`]. `T` is the storage of ids:
 /// [`Bytes`] or [`Bits`]. By default cells are squares of 16 units from the origin, rows are
 /// consecutive, and the outside is empty. You can change each:
 ///
@@ -71,7 +71,7 @@ pub enum Outside {
 /// assert_eq!((MAP.width(), MAP.height()), (8, 3));
 /// assert_eq!(MAP.kind(Cell::new(2, 1)), TileKind::FULL);
 ///
-/// // Cells of 8 units around the origin, in a closed room: constant as well.
+/// // Cells of 8 units around the origin, in a closed room. This map is a constant, too.
 /// const ROOM: Result<TileMap, TileMapError> = match MAP_DATA {
 ///     Ok(map) => map.with_outside(Outside::Solid).with_cell(fx!(8)),
 ///     Err(e) => Err(e),
@@ -212,7 +212,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.kind_unless_edge(x, y)
     }
 
-    /// The kind of any cell of the map, or beyond it where the border is not repeated.
+    /// The kind of any cell of the map, or beyond it if the border is not repeated.
     #[inline(never)]
     pub(in crate::world) const fn kind_unless_edge(&self, x: i32, y: i32) -> TileKind {
         if self.holds(x, y) {
@@ -229,8 +229,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.kind_at(x, y).is_full()
     }
 
-    /// The corners of a cell: where the border is repeated and only blocks are, border cells reach
-    /// to the end of the domain.
+    /// The corners of a cell. If the border of a map of blocks is repeated, border cells reach to
+    /// the end of the domain.
     #[inline]
     pub(in crate::world) const fn extent(&self, x: i32, y: i32) -> (Raw, Raw) {
         self.extent_between((x, y), (x, y))
@@ -284,8 +284,8 @@ pub(in crate::world) const fn merged(index: i32, count: u16) -> i32 {
 /// Which shapes a [`TileMap`](crate::world::TileMap) can hold. A level of blocks links no code for
 /// other shapes.
 ///
-/// Sealed; the markers are types such as [`Blocks`]. A table that names another shape is refused by
-/// the constructors.
+/// Sealed; the markers are types such as [`Blocks`]. Constructors refuse a table with a shape of
+/// another set.
 pub trait Set: Sealed + Copy + Debug + Eq + 'static {
     /// One bit for each discriminant of [`TileShape`] that is allowed.
     const SHAPES: u64;
@@ -343,7 +343,7 @@ impl Set for AllShapes {
 
 /// How a [`TileMap`](crate::world::TileMap) stores its tile ids.
 ///
-/// Sealed; the markers are [`Bytes`] and [`Bits`], and each of them [`Occupied`].
+/// Sealed; the markers are [`Bytes`], [`Bits`], and [`Occupied`] with either.
 pub trait Store: Sealed + Copy + Debug + Eq + 'static {
     /// Bits of one tile: 8 or 1.
     const BITS: u32;
@@ -373,7 +373,7 @@ impl Store for Bits {
     const BITS: u32 = 1;
 }
 
-/// Tile ids stored as `T` says, and [occupancy](crate::world::TileMap::with_occupancy) beside them.
+/// Tile ids stored as in `T`, with [occupancy](crate::world::TileMap::with_occupancy) beside them.
 ///
 /// A separate type: a map without occupancy links none of its code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

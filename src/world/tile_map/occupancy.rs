@@ -1,19 +1,19 @@
-//! Which tiles and which areas are not empty: a bit each, in the caller's storage.
+//! Which tiles and which areas are not empty: one bit for each, in the caller's storage.
 
 use super::{Occupied, Set, Store, TileMap};
 use crate::world::error::TileMapError;
 use crate::world::tile_map::kind::TileShape;
 use core::marker::PhantomData;
 
-/// An area is a square of `2^AREA_LOG` cells a side: a word is a row of one. Across an empty map of
-/// 2048 cells a ray takes 2.3 k instructions on x86-64 with 32 cells, 4.8 k with 16.
+/// An area is a square with sides of `2^AREA_LOG` cells: a word is a row of one. Across an empty
+/// map of 2048 cells a ray takes 2.3 k instructions on x86-64 with 32 cells, 4.8 k with 16.
 pub(super) const AREA_LOG: u32 = 5;
 /// Cells of a side of an area.
 pub(super) const AREA: i32 = 1 << AREA_LOG;
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
-    /// The words that [`fill_occupancy`](Self::fill_occupancy) needs: one for each 32 columns
-    /// begun, for every row; and one for each 1024 columns begun, for every 32 rows begun.
+    /// The number of words that [`fill_occupancy`](Self::fill_occupancy) needs. Each row takes one
+    /// for every 32 columns, and each 32 rows take one for every 1024 columns, rounded up.
     #[must_use]
     pub const fn occupancy_words(&self) -> usize {
         self.tile_words().wrapping_add((self.words_an_area_row() * self.area_rows()) as usize)
@@ -35,12 +35,12 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         (self.grid.y.count as u32).div_ceil(1 << AREA_LOG)
     }
 
-    /// Writes one bit a tile, set where its shape is not empty: bit `x % 32` of word `x / 32` of
-    /// each row. After all rows, the same for areas of 32 x 32 tiles, set where one of them is not
-    /// empty. Words beyond are left alone.
+    /// Writes one bit per tile, set if its shape is not empty: bit `x % 32` of word `x / 32` of
+    /// each row. After all rows it writes one bit per area of 32 x 32 tiles, set if one of them is
+    /// not empty. Further words are unchanged.
     ///
     /// # Errors
-    /// [`TileMapError::Occupancy`] if the words are too few; nothing is written then.
+    /// [`TileMapError::Occupancy`] if there are too few words. Nothing is written then.
     pub const fn fill_occupancy(&self, words: &mut [u32]) -> Result<(), TileMapError> {
         if words.len() < self.occupancy_words() {
             return Err(self.too_few(words.len()));
@@ -68,15 +68,16 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         Ok(())
     }
 
-    /// The same map with the bits of [`fill_occupancy`](Self::fill_occupancy). It gives the same
-    /// answers, faster if much is empty.
+    /// This map with the bits of [`fill_occupancy`](Self::fill_occupancy). It gives the same
+    /// answers, faster if large parts are empty.
     ///
-    /// What is asked of many cells then passes 32 empty tiles by one test, and a ray of more than
-    /// 64 cells each empty area of 32 x 32 tiles. Short rays look at tiles, as without. Moves of
-    /// bodies a few cells wide take as many instructions as without on x86-64, within 0.7 %.
+    /// Queries over many cells then pass 32 empty tiles by one test. A ray of more than 64 cells
+    /// also passes each empty area of 32 x 32 tiles by one. Short rays look at tiles, as without.
+    /// Moves of bodies that are a few cells wide take as many instructions as without on x86-64,
+    /// within 0.7 %.
     ///
-    /// The bits are compared with the tiles, so that a map cannot lie: a look-up a tile, in the
-    /// compiler for a `const` map. After a tile is written, fill them again.
+    /// The bits are compared with the tiles, so they cannot be wrong. That takes one look-up per
+    /// tile, for a `const` map in the compiler. After you write a tile, fill the bits again.
     ///
     /// ```
     /// use tilesat::{Blocks, Cell, TileKind, TileKinds, TileMap, TileMapError, world::Occupied};
@@ -85,7 +86,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     ///     Ok(map) => map,
     ///     Err(_) => panic!("bad level"),
     /// };
-    /// // 4 bytes of flash for each 32 tiles of a row, and for each 1024 x 32 tiles.
+    /// // 4 bytes of flash for each 32 tiles of a row, and 4 for each 1024 x 32 tiles.
     /// static WORDS: [u32; BARE.occupancy_words()] = {
     ///     let mut words = [0; BARE.occupancy_words()];
     ///     assert!(BARE.fill_occupancy(&mut words).is_ok());
@@ -99,7 +100,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`TileMapError::Occupancy`]: the first row that is missing or wrong, or whose area is.
+    /// [`TileMapError::Occupancy`] with the first row that is missing or wrong, or whose area is.
     pub const fn with_occupancy(self, words: &'a [u32]) -> Result<TileMap<'a, S, Occupied<T>>, TileMapError> {
         if words.len() < self.occupancy_words() {
             return Err(self.too_few(words.len()));
@@ -226,7 +227,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if next > x1 { next } else { self.next_occupied_in(rows.word.wrapping_sub(x0 as u32 >> 5), next, x1) }
     }
 
-    /// The same in the row of a first word.
+    /// [`next_occupied`](Self::next_occupied) in the row of a first word.
     #[inline]
     const fn next_occupied_in(&self, row: u32, x: i32, last: i32) -> i32 {
         let mut x = x;
@@ -250,8 +251,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         (areas, self.words_an_area_row() as i32)
     }
 
-    /// A word of occupancy; of a map whose tiles are others than it was made of, all may be
-    /// occupied.
+    /// A word of occupancy. If the map's tiles are not those it was made of, all may be occupied.
     #[inline]
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     const fn occupied_word(&self, word: u32) -> u32 {

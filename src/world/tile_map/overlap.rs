@@ -14,22 +14,22 @@ use crate::world::level::{World, levels};
 
 levels! {
     [S: Set, T: Store] TileMap<'_, S, T> {
-        /// Whether a shape overlaps the solid: whether it reaches the inside of the union
-        /// of all tiles' solids.
+        /// Whether a shape overlaps the solid, that is, reaches the inside of the union of all
+        /// tiles' solids.
         ///
-        /// Takes boxes, circles, [`Capsule`](crate::Capsule), [`OrientedBox`](crate::OrientedBox)
-        /// and [`ConvexPolygon`](crate::ConvexPolygon).
+        /// It takes boxes, circles, [`Capsule`](crate::Capsule),
+        /// [`OrientedBox`](crate::OrientedBox) and [`ConvexPolygon`](crate::ConvexPolygon).
         ///
-        /// Strict and exact, for slopes and arcs too, and without a root. A body that touches a
-        /// wall or fills a gap exactly does not overlap. A body without area is a circle of radius
-        /// 0, or a box of no width or height. It overlaps where it meets the inside of the union,
-        /// also on the line between two full cells. One-way tiles never overlap anything.
+        /// The test is strict and exact, also for slopes and arcs, and needs no root. A body that
+        /// touches a wall or fills a gap exactly does not overlap. A body without area is a circle
+        /// of radius 0, or a box without width or height. It overlaps if it meets the inside of the
+        /// union, also on the line between two full cells. One-way tiles never overlap anything.
         /// [`Outside`](crate::world::Outside) counts.
         ///
-        /// Cost: the cells that the body's bounding box overlaps, one look-up each, until the first
-        /// hit; a circle adds its test against each that is solid, a box against each that is
-        /// partly so. A ball of 10 units over cells of 24, of which a quarter hold a shape, takes
-        /// some 570 instructions on a Cortex-M0. It cannot fail.
+        /// Cost: one look-up for each cell that the body's bounding box overlaps, until the first
+        /// hit. A circle adds a test against each solid cell, and a box against each partly solid
+        /// one. A ball of 10 units over cells of 24, of which a quarter hold a shape, takes some
+        /// 570 instructions on a Cortex-M0. It cannot fail.
         ///
         /// ```
         /// use tilesat::{Aabb, Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
@@ -46,9 +46,9 @@ levels! {
         overlaps,
         /// Whether a shape has a point in common with the solid, borders included.
         ///
-        /// Exact. One-way tiles are not solid; [`Outside`](crate::world::Outside) counts. Cost: as
-        /// [`overlaps`](Self::overlaps), and one more cell on each side that lies on a cell's
-        /// border.
+        /// The test is exact. One-way tiles are not solid; [`Outside`](crate::world::Outside)
+        /// counts. Cost: as [`overlaps`](Self::overlaps), and one more cell on each side that lies
+        /// on a cell's border.
         touches,
     }
 }
@@ -71,8 +71,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.any_full(self.solid_range_of(lo, hi), |_| true)
     }
 
-    /// A side of no length on a cell's border is inside the solid only where the cells on both
-    /// sides are full: then the open range is reversed, and starts at the first of the two.
+    /// A side of length zero on a cell's border is inside the solid only if the cells on both sides
+    /// are full: then the open range is reversed, and starts at the first of the two.
     #[inline(never)]
     const fn thin_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
         let mut range = self.open_range(lo, hi);
@@ -121,7 +121,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.any_full_in_map(range, test)
     }
 
-    /// The same of a range in the map.
+    /// [`any_full`](Self::any_full) for a range in the map.
     #[inline(always)]
     pub(super) fn any_full_in_map(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
         let is_square = !matches!(self.outside, Outside::Edge);
@@ -431,10 +431,10 @@ const fn triangle(m: Raw, r: i32, p: u8, q: u8, side: i32, closed: bool) -> bool
     reaches(x, y, r, closed)
 }
 
-/// A circle against the cell without the open quarter disc around its far corner; none where it is
+/// A circle against the cell without the open quarter disc around its far corner; none if it is
 /// as one against the whole cell.
 ///
-/// With `n` the centre seen from that corner, toward the solid: beyond the cell the nearest point
+/// With `n` the centre relative to that corner, toward the solid: beyond the cell the nearest point
 /// of it is on one of the two whole sides; in the cell the arc is nearest, `side - |n|` away;
 /// before a side of the quarter disc an end of the arc is, the cusp on the side that `n` leans to.
 const fn concave(m: Raw, r: i32, side: i32, closed: bool) -> Option<bool> {

@@ -1,5 +1,5 @@
-//! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes,
-//! solid or not.
+//! Which tiles lie in a region, and which flags a shape touches. Tiles count whether they are solid
+//! or not, as coins, ladders and spikes.
 
 use super::{Set, Store, TileMap};
 use crate::error::{RangeError, Truncated};
@@ -52,11 +52,12 @@ impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The tiles whose inside meets the region: a region that is exactly one tile gives that tile.
+    /// The tiles whose inside meets the region. A region that is exactly one tile gives only that
+    /// tile.
     ///
     /// Every tile of the map counts, solid or not; cells outside the map are not reported. A region
-    /// without width on a line between two columns gives both, and likewise for rows: it misses
-    /// nothing that a point touches.
+    /// without width on a line between two columns gives both, and likewise for rows. So it misses
+    /// no tile that a point touches.
     ///
     /// Cost: one look-up per tile. It cannot fail.
     ///
@@ -97,8 +98,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// ```
     ///
     /// # Errors
-    /// [`Truncated`] if they do not fit: `out` then holds the first ones, and the error says how
-    /// many there are.
+    /// [`Truncated`] if they do not fit. `out` then holds the first ones, and the error has the
+    /// total number.
     pub fn collect_tiles(&self, region: &Aabb, out: &mut VecView<TileAt>) -> Result<(), Truncated> {
         out.clear();
         let (mut seen, mut kept) = (0u32, 0);
@@ -111,11 +112,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         if kept == seen { Ok(()) } else { Err(Truncated { seen, kept }) }
     }
 
-    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common
-    /// with: solid or not, borders included.
+    /// The flags, or-ed, of all tiles that a box, circle or point touches, solid or not.
     ///
     /// Borders count: a body that stands exactly beside a deadly tile touches it. For tiles that
-    /// must be entered use [`tiles_in`](Self::tiles_in). What is outside the map has no flags.
+    /// must be entered use [`tiles_in`](Self::tiles_in). Cells outside the map have no flags.
     /// Exact. Cost: as [`touches`](Self::touches), but it always looks at every cell.
     ///
     /// ```
@@ -137,12 +137,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         self.flags_of(lo, hi, |cell| shape.reaches(cell))
     }
 
-    /// The flags, joined by or, of all tiles that a box, circle or point has a point in common with
-    /// anywhere on a straight way: what a fast body passes over in one frame, coins and spikes, is
-    /// not missed. Borders count, as in [`flags_touched`](Self::flags_touched); exact.
+    /// The flags, or-ed, of all tiles that a box, circle or point touches anywhere on a straight
+    /// motion. So it does not miss coins and spikes that a fast body passes over in one frame.
+    /// Borders count, as in [`flags_touched`](Self::flags_touched). Exact.
     ///
-    /// A body that slid has gone a bent way. Its first piece ends where the first hit says, and
-    /// with at most one hit the rest is straight too:
+    /// The path of a body that slid is bent. Its first piece ends at the first hit, and with at
+    /// most one hit the rest is straight, too:
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2};
@@ -151,7 +151,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'o', TileKind::EMPTY.with_flags(COIN));
     /// let map = TileMap::from_ascii("......\n...o..\n######", &KINDS)?;
     /// let body = Aabb::new(Vec2::from_ints(2, 2), Vec2::from_ints(8, 8))?;
-    /// let velocity = Vec2::from_ints(80, 60); // down to the floor at two fifths of the way, and along it
+    /// let velocity = Vec2::from_ints(80, 60); // down to the floor at two fifths of the motion, and along it
     /// let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, velocity)?;
     ///
     /// let first = moved.hits.first().map_or(moved.position() - body.min(), |hit| hit.toi.of(velocity));
@@ -161,8 +161,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Cost: one look-up for each cell of the bounding box of the way; a few exact tests for those
-    /// that have a flag which is new.
+    /// Cost: one look-up for each cell of the bounding box of the motion, and a few exact tests for
+    /// each cell with a new flag.
     ///
     /// # Errors
     /// [`RangeError`] if a component of the motion is not below 2^28 raw, or it leads out of the
@@ -172,12 +172,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Ok(self.flags_of(lo, hi, |cell| shape.passes(d, cell)))
     }
 
-    /// The tiles that a box, circle or point has a point in common with anywhere on a straight way:
-    /// every coin that a fast body takes, each once.
+    /// The tiles that a box, circle or point touches anywhere on a straight motion, each once: all
+    /// coins that a fast body takes.
     ///
     /// The tiles are those of [`flags_swept`](Self::flags_swept), solid or not. They come row after
-    /// row, not in the order of the way. Exact. Cost: one look-up and one exact test for each cell
-    /// of the bounding box of the way.
+    /// row, not in the order of the motion. Exact. Cost: one look-up and one exact test for each
+    /// cell of the bounding box of the motion.
     ///
     /// ```
     /// use tilesat::{Cell, Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
@@ -200,13 +200,12 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Ok(near.filter(move |tile| shape.passes(d, self.grid.corners(tile.cell.x.into(), tile.cell.y.into()))))
     }
 
-    /// The tiles that a box, circle or point has a point in common with anywhere on the way that a
-    /// mover made, each once.
+    /// The tiles that a box, circle or point touches anywhere on the path of a mover, each once.
     ///
-    /// `shape` is the body before the call that wrote the trail. As
-    /// [`tiles_swept`](Self::tiles_swept), for a way of several parts:
-    /// [`Mover::move_along`](crate::Mover::move_along) has an example. Cost: one look-up for each cell of
-    /// the bounding box of the way, and one exact test for each part.
+    /// `shape` is the body before the call that wrote the trail. It is
+    /// [`tiles_swept`](Self::tiles_swept) for a path of several parts.
+    /// [`Mover::move_along`](crate::Mover::move_along) has an example. Cost: one look-up for each
+    /// cell of the bounding box of the path, and one exact test for each part.
     ///
     /// # Errors
     /// As [`flags_swept`](Self::flags_swept).
@@ -259,7 +258,7 @@ pub(in crate::world) fn bounds_of_trail<B: Probe>(shape: &B, trail: &Trail) -> R
     Ok((least, most))
 }
 
-/// The bounds of a shape on a whole way.
+/// The bounds of a shape on a whole motion.
 pub(in crate::world) fn bounds_of_way<B: Probe>(shape: &B, motion: Vec2) -> Result<(Raw, Raw), RangeError> {
     check_motion(motion, MOTION)?;
     let (d, (lo, hi)) = (Raw::of(motion), shape.bounds());
@@ -287,9 +286,10 @@ pub(crate) mod probe {
         fn bounds(&self) -> (Raw, Raw);
         /// Whether the shape touches a cell that its bounding box touches.
         fn reaches(&self, cell: (Raw, Raw)) -> bool;
-        /// Whether the shape touches a cell on a way that its bounding box touches.
+        /// Whether the shape touches a cell on a motion whose bounding box touches it.
         fn passes(&self, d: Raw, cell: (Raw, Raw)) -> bool;
-        /// The same on a part of a trail: seen from there, the cell has moved the other way.
+        /// [`passes`](Self::passes) for a part of a trail: relative to its start, the cell has
+        /// moved in the opposite direction.
         fn passes_on(&self, (from, by): (Vec2, Vec2), (lo, hi): (Raw, Raw)) -> bool {
             let from = Raw::of(from);
             self.passes(Raw::of(by), (lo.sub(from), hi.sub(from)))

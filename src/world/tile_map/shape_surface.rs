@@ -233,7 +233,7 @@ impl Tile {
         (solid & (!gaps | first)).rotate_right(u32::from(piece.dir)) as u8 == u8::MAX
     }
 
-    /// The direction in which the vertex at the end of a piece is left; none where it is joined, as
+    /// The direction in which the vertex at the end of a piece is left; none if it is joined, as
     /// above from the opposite direction backward.
     ///
     /// A gap in the direction of a face itself does not matter: its solid is on this side. At a

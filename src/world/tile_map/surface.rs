@@ -1,5 +1,5 @@
-//! How tiles give their surface: the questions to a cell, and the answers of blocks, whole sides of
-//! cells and their corners.
+//! How tiles give their surface: the queries to a cell, and the answers of blocks, which are whole
+//! sides of cells and their corners.
 
 use crate::num::{Axis, DOMAIN, Raw};
 use crate::shape::Aabb;
@@ -13,7 +13,7 @@ use core::fmt::Debug;
 /// Public in a private module, because a sealed trait names it.
 #[derive(Clone, Copy, Debug)]
 pub struct CellWalk {
-    /// The cell that it has come to.
+    /// The cell that it has reached.
     pub(super) x: i32,
     pub(super) y: i32,
     /// Its kind.
@@ -49,7 +49,7 @@ impl CellWalk {
 pub struct CellQuery {
     /// Closed.
     pub(super) region: (Raw, Raw),
-    /// Only what opposes this motion; all where it is zero.
+    /// Only what opposes this motion; all if it is zero.
     pub(super) d: Raw,
     /// Whether the joints of faces matter.
     pub(super) joints: bool,
@@ -72,16 +72,16 @@ impl CellQuery {
         dir.y.wrapping_mul(self.d.x).wrapping_sub(dir.x.wrapping_mul(self.d.y)) < 0 || self.d.is_zero()
     }
 
-    /// The same of an arc, if that is one: of the normals at its ends, since all others are between
-    /// these.
+    /// Whether an arc opposes the motion: one of the normals at its ends does, since all others are
+    /// between these.
     pub(super) const fn opposes_arc(&self, arc: &Geometry) -> bool {
         let Geometry::Arc { quadrant, convex, .. } = *arc else { return true };
         let out = if convex { quadrant } else { quadrant.reversed() };
         out.x.wrapping_mul(self.d.x) < 0 || out.y.wrapping_mul(self.d.y) < 0 || self.d.is_zero()
     }
 
-    /// As above, of the corner between two edges. Some normal of a corner is opposed to the motion
-    /// only where that of an edge is. A wedge of no angle is the exception: it has all normals of
+    /// Whether the corner between two edges opposes the motion. A normal of a corner is opposed to
+    /// it only if that of an edge is. A wedge of no angle is the exception: it has all normals of
     /// half a turn.
     pub(super) const fn opposes_corner(&self, e_in: Axis, e_out: Axis) -> bool {
         self.opposes(e_in) || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
@@ -106,7 +106,7 @@ pub trait TileSource {
     /// The corners of a cell with the band that it stands for.
     fn extent(&self, x: i32, y: i32) -> (Raw, Raw);
 
-    /// The corners of the cell that a walk has come to.
+    /// The corners of the cell that a walk has reached.
     fn corners(&self, walk: &CellWalk) -> (Raw, Raw);
 }
 
@@ -120,8 +120,8 @@ pub trait CellSurface: Clone + Debug {
     /// Whether nothing is left to give.
     fn is_over(&self) -> bool;
 
-    /// Goes on to the cell that a walk over the closed range of the region has come to; the cell
-    /// before is over.
+    /// Continues with the cell that a walk over the closed range of the region has reached; the
+    /// cell before is done.
     fn load<M: TileSource>(&mut self, map: &M, walk: &CellWalk, look: &CellQuery);
 
     /// The next of the remaining ones, if it is wanted.

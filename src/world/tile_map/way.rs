@@ -1,5 +1,5 @@
-//! The cells that a body passes on a long straight way, each once, in strips: column after column,
-//! or row after row, whichever the way crosses more of.
+//! The cells that a body passes on a long straight motion, each once, in strips: column after
+//! column, or row after row, whichever the motion crosses more of.
 
 use super::{Set, Store, TileMap};
 use crate::num::{Raw, mul_div};
@@ -14,7 +14,7 @@ struct AxisMotion {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// The way of a body whose core is rounded by `r`, before its first strip.
+    /// The walk of a body whose core is rounded by `r`, before its first strip.
     ///
     /// At a slope s of at most 1, a disc reaches `r sqrt(1 + s^2) < r (1 + 7 s / 16)` aside of its
     /// centre's line, and its bounds `r (1 + s)`. So it is where bounds would be that start to
@@ -78,10 +78,10 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// Goes to the next strip of a way that has one.
+    /// Moves on to the next strip of a walk that has one.
     ///
-    /// While the body is in the strip, its trailing end goes from where it is when the front comes
-    /// in, and its leading end to where it is when the rear leaves.
+    /// The cells of a strip reach from the trailing end of the body, when its front enters, to the
+    /// leading end, when its rear leaves.
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline(never))]
     pub(in crate::world) const fn next_strip(&self, way: &mut Way) {

@@ -120,6 +120,7 @@ impl Encode for MoveError {
         match self {
             Self::Range(error) => (1u32, error).encode(hash),
             Self::Stuck(stuck) => (2u32, stuck).encode(hash),
+            _ => 3u32.encode(hash),
         }
     }
 }
@@ -129,6 +130,7 @@ impl Encode for QueryError {
         match self {
             Self::Range(error) => (1u32, error).encode(hash),
             Self::Truncated(cut) => (2u32, cut).encode(hash),
+            _ => 3u32.encode(hash),
         }
     }
 }

@@ -3,7 +3,7 @@
 use tilesat::motion::{Body, escape};
 use tilesat::world::{Pushable, Solid, World};
 use tilesat::{
-    Aabb, Axis, Capsule, Circle, Fx, MoveError, Mover, OrientedBox, Ratio, Response, SlopeSpeed, Surface, Vec2, Walker,
+    Aabb, Axis, Capsule, Circle, Fx, Mover, OrientedBox, Ratio, Response, SlopeSpeed, Surface, Vec2, Walker,
     motion::{StartInside, Support},
 };
 
@@ -92,7 +92,7 @@ impl<B: Body + Encode> Trip<B> {
                 self.velocity = Vec2::from_raw(x.clamp(-UNIT * 8, UNIT * 8), y.clamp(-UNIT * 8, UNIT * 8) + UNIT / 16);
                 work.add(moved.work);
             }
-            Err(MoveError::Stuck(_) | MoveError::Range(_)) => {}
+            Err(_) => {}
         }
     }
 }

@@ -91,6 +91,7 @@ fn scene<S: BodyShape>(run: &mut Run<'_>, of: &'static str, draw: fn(&mut Random
                     one.add(velocity);
                 }
                 SceneEvent::Held(error) => one.add(error.body),
+                _ => {}
             }
             sum = sum.wrapping_add(one.value());
         });

@@ -10,7 +10,7 @@ use super::groups::{GAMES, GROUPS};
 /// The version of the library under test.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The reviewed hashes, seen from the root of the repository.
+/// The reviewed hashes, relative to the root of the repository.
 pub const PATH: &str = "tests/golden/hashes.txt";
 
 const HEAD: &str = "\

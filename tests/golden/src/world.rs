@@ -104,7 +104,7 @@ pub(crate) struct Vector {
 const HALF: i32 = 8 * UNIT;
 
 impl Vector {
-    /// Of a class, in and around a level of `width` x `height` half cells from `at` on.
+    /// A vector of a class, in and around a level of `width` x `height` half cells from `at` on.
     pub(crate) fn draw(number: u32, r: &mut Random, at: Vec2, (width, height): (u32, u32)) -> Self {
         let class = Class::of(number);
         let (ox, oy) = at.raw();

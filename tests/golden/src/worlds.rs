@@ -9,7 +9,7 @@ use super::hash::Hash;
 use super::levels::{SIZE, SOLID, blocks, segments, shapes, slopes, solids};
 use super::world::{SURFACE, VERBS, Vector, WORK, ask, ask_surface};
 
-// Of the eight kinds of levels the first four have a fifth of the vectors each, the others a tenth.
+// The first four of the eight kinds of levels have a fifth of the vectors each, the others a tenth.
 
 /// The three groups of hashes of a level with a surface.
 fn split(hashes: &mut [Hash; 10]) -> Option<(&mut [Hash; 7], &mut [Hash; 2], &mut Hash)> {

@@ -35,7 +35,7 @@ fn is_nearest(n: i64, num: &BigInt, den: &BigInt, arm: i64, (u, w): (i64, i64)) 
     if arm == 0 {
         return twice.magnitude() <= den.magnitude();
     }
-    // Of circles the denominator is one.
+    // For circles the denominator is one.
     let off = twice.to_string().parse::<f64>().unwrap() / 2.0;
     let unit = (u as f64) / (u as f64).hypot(w as f64);
     (off - arm as f64 * unit).abs() <= 0.500_001

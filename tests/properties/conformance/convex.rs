@@ -1,4 +1,4 @@
-//! `convex_pairs.csv` and `convex_casts.csv`: capsules, turned boxes and polygons with each other
+//! `convex_pairs.csv` and `convex_casts.csv`: capsules, oriented boxes and polygons with each other
 //! and with the plain shapes, at rest and moving.
 
 use super::pairs::{self, Two};

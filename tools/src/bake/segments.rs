@@ -121,7 +121,7 @@ impl Shapes {
     }
 }
 
-/// A map holds 65535 pairs of a segment and a cell.
+/// A map holds 65 535 pairs of a segment and a cell.
 const MOST_REFERENCES: u64 = 60_000;
 /// Three bytes per pair.
 const MOST_CELLS: u64 = 1 << 18;

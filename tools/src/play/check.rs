@@ -1,7 +1,7 @@
 //! An independent exact check of the library's results.
 //!
 //! It shares no code with the library. It reads the baked bytes itself, and computes with whole raw
-//! units (65536 per pixel), wide enough for any product.
+//! units (65 536 per pixel), wide enough for any product.
 
 use super::figure::Figure;
 use super::meets::meets;

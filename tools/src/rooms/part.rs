@@ -112,7 +112,7 @@ impl Part {
                 rooms.push(Baked {
                     name: format!("{column} {row}"),
                     plane: self.plane,
-                    // A world has at most 65535 cells per side.
+                    // A world has at most 65 535 cells per side.
                     first: (x as i32, y as i32),
                     size: ((columns - x).min(width.into()) as u16, (rows - y).min(height.into()) as u16),
                     tiles: Vec::new(),

@@ -14,7 +14,7 @@ use crate::model::decimal::Decimal;
 use crate::model::map::{Layer, Tiles};
 use crate::model::object::raw;
 
-/// The most edges. A segment map holds 32768 segments.
+/// The most edges. A segment map holds 32 768 segments.
 const MAX_EDGES: usize = 1 << 19;
 /// The most cells of the grid.
 const MAX_CELLS: i64 = 1 << 24;

@@ -17,7 +17,7 @@ pub struct Truth {
     pub toi: Option<f64>,
     /// Whether it touches or overlaps on the way: a hit by the other convention.
     touches: bool,
-    /// Of the motion, in pixels.
+    /// The length of the motion, in pixels.
     length: f64,
 }
 
@@ -74,7 +74,7 @@ impl Truth {
         !Measure::new(&case.a, &case.b).overlaps()
     }
 
-    /// Of a case that starts apart.
+    /// The answer to a case that starts apart.
     pub fn new(case: &Case) -> Self {
         let Relative { p, lo, hi, r, is_segment } = relative(case);
         let d = case.d;

@@ -1,4 +1,4 @@
-//! Long rests: capsules on slopes, polygons in nooks, turned boxes, and piles of any shapes.
+//! Long rests: capsules on slopes, polygons in nooks, oriented boxes, and piles of any shapes.
 //!
 //! Each run plays a million frames, without sleep and memory, and again with them. Once a frame has
 //! returned its own bodies and velocities, every later frame must do the same: period 1, nothing

@@ -17,7 +17,7 @@ pub struct Tally {
     pub kills: u32,
     pub deaths: u32,
     pub reflected: u32,
-    /// Of the zone: begun and ended contacts, and the lives that it gave.
+    /// The zone: begun and ended contacts, and the lives that it gave.
     pub visits: u32,
     pub left: u32,
     pub repairs: u32,

@@ -1,4 +1,4 @@
-//! The car: a turned box that steers toward the next mark, slides along walls and shoves crates.
+//! The car: an oriented box that steers toward the next mark, slides along walls and shoves crates.
 
 use tilesat::motion::turn;
 use tilesat::prelude::*;

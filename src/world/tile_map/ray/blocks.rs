@@ -1,5 +1,5 @@
-//! A ray among full cells: a fast run over the open ones, and the rare steps that look at four
-//! cells at once.
+//! A ray among full cells: a fast run over the open ones, and the rare steps that test four cells
+//! at once.
 
 use crate::num::{LONG, umul};
 use crate::world::grid::GridAxis;
@@ -74,9 +74,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
             && !self.kinds.get(self.id(x.cell, y.cell)).is_full()
     }
 
-    /// Walks to the next full cell, or where `ANY` to the next that is not empty; one look-up per
-    /// cell. It ends where the next line leads out of the map, or the motion is over, except with a
-    /// corner ahead. `met` is 0 then, and also where the next cell is unknown.
+    /// Walks to the next full cell, or, if `ANY`, to the next that is not empty, with one look-up
+    /// per cell. It stops if the next line leads out of the map, or the motion ends, except with a
+    /// corner ahead. `met` is then 0, and also if the next cell is unknown.
     ///
     /// The [lead] is divided by the cell: a crossing moves it by the other size. Divided evenly, 0
     /// is both lines at once: then the cells beside the corner come first, x before y. Else a floor
@@ -92,7 +92,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// [`run`](Self::run) with a lead that has been divided, and is kept where `KEEP`.
+    /// [`run`](Self::run) with a lead that has been divided, and is kept if `KEEP`.
     #[inline(always)]
     pub(super) fn run_from<const ANY: bool, const KEEP: bool>(
         &self,
@@ -184,7 +184,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Some((id, if ANY { !matches!(kind.shape, TileShape::Empty) } else { kind.is_full() }))
     }
 
-    /// The floor of `e / cell`, and whether nothing was left over; `None` where it is not at least
+    /// The floor of `e / cell`, and whether nothing was left over; `None` if it is not at least
     /// -2^30 and below 2^31. It is for the lead in a cell of the map, except in a border cell that
     /// stands for a band.
     #[inline]
@@ -213,7 +213,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     /// [`run`](Self::run) along a line that has cells of the map on both sides; two look-ups per
-    /// step. `None` for other rays and, unless `ANY`, where the cell at the start is full.
+    /// step. `None` for other rays and, unless `ANY`, if the cell at the start is full.
     ///
     /// A face is met where a full cell follows one that is not, on the same side of the line: a
     /// wall that the ray slides along has none.
@@ -298,7 +298,7 @@ const fn met(around: FourCells, over: Axes) -> RayStop {
     if around & (AHEAD | beside) == AHEAD { axis } else { axis | BESIDE }
 }
 
-/// A ray on its way.
+/// The state of a ray.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Detour {
     pub(in crate::world) x: Lane,
@@ -310,8 +310,8 @@ pub(in crate::world) struct Detour {
 }
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// Goes on to the end, step by step, from the start or any later cell that is not full. Then
-    /// the cell is the one that the face belongs to.
+    /// Walks to the end, step by step, from the start or any later cell that is not full. The cell
+    /// is then the one to which the face belongs.
     #[cold]
     #[inline(never)]
     pub(in crate::world) fn detour(&self, w: &mut Detour, hits_inside: bool) -> RayStop {

@@ -18,27 +18,27 @@ use blocks::{Detour, END, INSIDE};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// The first point of the closed solid that a ray from `origin` along `motion` meets, or `None`
-    /// where it ends before.
+    /// if it ends before.
     ///
     /// Every decision is exact, for any direction and length inside the domain:
     ///
     /// - A straight face is hit by a ray that moves against its normal, ends included. Touching a
     ///   corner is a hit, and no ray passes between two diagonal solids. A ray along a grid line
-    ///   stops at the first face in its way on either side of the line.
+    ///   stops at the first face that it meets on either side of the line.
     /// - A convex arc is hit by a ray that enters its disc on it, ends included. A concave one is
     ///   hit by a ray that leaves the disc on it, ends included. A ray that slides along a face or
-    ///   is a tangent hits nothing. The exception continues into the solid beside the end of a
-    ///   concave arc.
-    /// - A face is hit at the very end of the motion too; one raw unit short is a miss.
-    /// - Of faces hit at one moment, the one whose normal is more along x wins (among blocks:
-    ///   toward x). Then the one that opposes the motion more, then +x, then +y, then a straight
-    ///   one before an arc.
-    /// - A start on the border is not inside: moving in hits at 0, leaving, passing a corner or
+    ///   is a tangent hits nothing, unless it continues into the solid beside the end of a concave
+    ///   arc.
+    /// - A face is hit even at the very end of the motion; one raw unit short is a miss.
+    /// - If faces are hit at the same moment, the one whose normal is more along x wins (among
+    ///   blocks: toward x). Then the one that opposes the motion more, then +x, then +y, then a
+    ///   straight one before an arc.
+    /// - A start on the border is not inside: moving in hits at 0. Leaving, passing a corner or
     ///   sliding along does not hit there.
-    /// - A start inside is decided by [`RayRules::inside`]. [`Inside::Hit`] reports a hit at 0
-    ///   whose axis opposes the larger component of the motion (x on a tie, +x for no motion).
+    /// - [`RayRules::inside`] decides the result of a start inside. [`Inside::Hit`] reports a hit
+    ///   at 0 whose axis opposes the larger component of the motion (x on a tie, +x for no motion).
     /// - A motion of zero hits nothing, except from inside with [`Inside::Hit`].
-    /// - One-way edges are passed, unless [`RayRules::one_way`] asks for them. What is
+    /// - A ray passes one-way edges, unless [`RayRules::one_way`] is true.
     ///   [`Outside`](crate::world::Outside) counts.
     ///
     /// ```text
@@ -53,9 +53,9 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// included ([`RayHit::cells`] counts them). In [`Blocks`](crate::world::Blocks) a hit in the
     /// 17th cell takes about 850 instructions on a Cortex-M0, 560 on a Cortex-M3, time and point
     /// included. There is no division and no root. Rays that start in the solid or beyond the map,
-    /// or continue in a band beyond it, examine the four cells around each crossing: about 150
-    /// instructions per cell. Other shapes add two sides and one inner piece for each tile that is
-    /// not empty, and one root for a hit within an arc.
+    /// or continue in a band beyond it, examine the four cells around each crossing. That takes
+    /// about 150 instructions per cell. Other shapes add two sides and one inner piece for each
+    /// tile that is not empty, and one root for a hit within an arc.
     ///
     /// ```
     /// use tilesat::{Axis, Cell, Inside, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -65,7 +65,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// assert_eq!((hit.point, hit.axis, hit.cell), (Vec2::from_ints(48, 18), Axis::NEG_X, Cell::new(3, 1)));
     /// assert_eq!(hit.toi.to_fx(), fx!(0.5));
     ///
-    /// // Exactly to the wall is a hit, one raw unit less is not.
+    /// // A ray exactly up to the wall hits; one raw unit less does not.
     /// let reach = Vec2::from_ints(40, 0);
     /// assert!(map.cast_ray(Vec2::from_ints(8, 8), reach, Inside::Ignore).unwrap().is_some());
     /// assert!(map.cast_ray(Vec2::from_ints(8, 8), reach - Vec2::from_raw(1, 0), Inside::Ignore).unwrap().is_none());
@@ -95,7 +95,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         Ok(Scan::of(self, o, d, rules).advance())
     }
 
-    /// If only full cells stop a ray.
+    /// The case in which only full cells stop a ray.
     fn cast_blocks(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<RayHit>, RangeError> {
         let (o, d) = (Raw::of(origin), Raw::of(motion));
         // A sum that wraps is outside too: a start below 2^29 and a motion up to 2^31 leave at
@@ -177,7 +177,7 @@ impl<S: Set, T: Store> Clone for RayHits<'_, '_, S, T> {
     }
 }
 
-/// Here and not with the others, because the cursor's parts are not known outside of levels.
+/// This impl is here, because the parts of the cursor are private to levels.
 #[cfg(feature = "defmt")]
 impl<S: Set, T: Store> defmt::Format for RayHits<'_, '_, S, T> {
     fn format(&self, f: defmt::Formatter<'_>) {
@@ -199,10 +199,10 @@ rays! {
         /// closed solid.
         ///
         /// Exact, by the rules of [`cast_ray`](Self::cast_ray) with
-        /// [`Inside::Hit`](crate::world::Inside::Hit). A start inside sees nothing, a corner that
-        /// is touched blocks, a line that slides along a wall does not, and one-way edges do not.
-        /// On the surface `a` and `b` differ: a point on a wall sees the points in front of it. It
-        /// is not seen from there, because the line ends in a hit. Cost: as
+        /// [`Inside::Hit`](crate::world::Inside::Hit). If `a` is inside the solid, the answer is
+        /// false. A corner that the line touches blocks it. A wall along which it slides and
+        /// one-way edges do not. `a` and `b` are not symmetric on the surface: a line from a point
+        /// on a wall is free, but a line to it ends in a hit. Cost: as
         /// [`cast_ray`](Self::cast_ray).
         ///
         /// ```
@@ -222,15 +222,15 @@ rays! {
 }
 
 impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
-    /// Every hit of a ray, nearest first, as if it went on through what it hits.
+    /// Every hit of a ray, nearest first, as if it continued through what it hits.
     ///
-    /// By the rules of [`cast_ray`](Self::cast_ray), whose hit is the first: where the ray goes
-    /// into the solid, or touches it at a corner. Where it comes out is no hit. Of several faces at
-    /// one moment there is one hit, so the joint of two tiles is met once.
+    /// The rules are those of [`cast_ray`](Self::cast_ray), whose hit is the first. A hit is a
+    /// point at which the ray enters the solid, or touches it at a corner. Leaving the solid is no
+    /// hit. Several faces at the same moment give one hit, so the joint of two tiles is hit once.
     ///
-    /// Cost: a cursor that stores no hits, so none can be cut off. It walks only as far as you
-    /// read: at most width + height + 4 cells, and the cells of one step once more for each hit. No
-    /// cell has more than three hits. [`RayHit::cells`] counts the cells up to that hit.
+    /// Cost: the cursor stores no hits, so none can be cut off. It walks only as far as you read:
+    /// at most width + height + 4 cells, and the cells of one step once more for each hit. No cell
+    /// has more than three hits. [`RayHit::cells`] counts the cells up to that hit.
     ///
     /// ```
     /// use tilesat::{Inside, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2};

@@ -1,4 +1,4 @@
-//! A ray through open areas: where a map knows which of them are empty, each is passed by one step.
+//! A ray through open areas: if a map knows which areas are empty, one step passes each of them.
 
 use super::blocks::{BlockRun, END};
 use crate::world::ray::walk::{Beyond, Lane, X, Y};
@@ -11,8 +11,8 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     pub(super) fn run_open<const ANY: bool>(&self, x: &Lane, y: &Lane, mut e: i32, even: bool) -> BlockRun {
         let (mut u, mut v, cell) = (*x, *y, self.grid.cell as u32);
-        // Most rays end near where they start, so what begins among tiles goes a whole area on: a
-        // piece takes as much as some cells.
+        // Most rays end near their start, so a ray that begins among tiles first walks a whole
+        // area: a piece costs as much as some cells.
         let mut ahead = AREA;
         loop {
             let before = (u.lines, v.lines);
@@ -35,7 +35,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    /// Goes on through empty areas, to where the next line leads out of the last of them. The new
+    /// Walks through empty areas, to where the next line leads out of the last of them. The new
     /// lead is returned, and whether the motion ends, or leaves the map, in one.
     ///
     /// ```text
@@ -107,7 +107,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 (kx, lead) = (kx.wrapping_sub(1), lead.wrapping_sub(sy));
             }
         }
-        // Beyond the motion's end, or the map's, there is nothing to pass.
+        // Beyond the end of the motion, or of the map, there is nothing to pass.
         if kx > x.lines || ky > y.lines {
             return (e, is_over);
         }

@@ -5,9 +5,9 @@ use crate::world::ray::walk::{Lane, X, Y};
 use crate::world::tile_map::{Set, Store, TileMap};
 
 impl<S: Set, T: Store> TileMap<'_, S, T> {
-    /// A [run](Self::run) where no corner can be met, with the lead and the tile in one register: the lead
-    /// above, so that its sign is that of both. No tile of the map is before the first one, so the
-    /// lower half never borrows from the lead.
+    /// A [run](Self::run) where no corner can be met, with the lead and the tile in one register:
+    /// the lead above, so that its sign is that of both. No tile of the map is before the first
+    /// one, so the lower half never borrows from the lead.
     #[inline(always)]
     pub(super) fn run_packed<const ANY: bool, const KEEP: bool>(&self, x: &Lane, y: &Lane, e: i32) -> BlockRun {
         let stride = self.stride as i32;

@@ -94,9 +94,9 @@ const NONE: Raw = Raw { x: 0, y: 0 };
 impl<S: Set, T: Store> TileMap<'_, S, T> {
     /// Whether the start of a walk is strictly inside the solid.
     ///
-    /// It is where the inequality of each shape that it touches holds strictly. Where one is an
-    /// equality, the shape's line or arc ends on the border of its cell, and points of the cell
-    /// nearby are not in it.
+    /// It is if the inequality of each shape that it touches holds strictly. If one is an equality,
+    /// the shape's line or arc ends on the border of its cell, and near points of the cell are not
+    /// in the shape.
     pub(in crate::world) fn start_is_inside(&self, o: Raw, walk: &RayWalk) -> bool {
         walk.all_at_start(false, self.grid.cell as u32, |x, y| self.holds_just_after(o, NONE, x, y))
     }
@@ -111,7 +111,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 
     /// Whether the inequality of a cell's shape holds strictly just after the start of a ray that
-    /// is in the closed cell then; at the start itself where there is no motion.
+    /// is in the closed cell then; at the start itself if there is no motion.
     ///
     /// Only halves reach beyond the map. They depend on one coordinate, which is within a cell
     /// there: sums are below 2^27.
@@ -136,7 +136,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
                 square < limit || (square == limit && imul(u, du).wrapping_add(imul(v, dv)) < 0)
             }
             FormKind::Concave => {
-                // Seen from the other corner; a tangent leaves the disc.
+                // Relative to the other corner; a tangent leaves the disc.
                 let (u, v) = (side.wrapping_sub(u), side.wrapping_sub(v));
                 let (square, limit) = (Raw { x: u, y: v }.len2(), usqr(side as u32));
                 let leaves = imul(u, du).wrapping_add(imul(v, dv)) <= 0 && !d.is_zero();
@@ -147,7 +147,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 }
 
 /// Cursor over the pieces of a cell, as [`features`](TileMap::features) has them. It omits
-/// vertices, sides that the motion does not oppose, and the marks of joints: a ray has no use for
+/// vertices, sides that the motion does not oppose, and the marks of joints: rays do not need
 /// those, and they are most of the work.
 #[derive(Clone, Debug)]
 pub(in crate::world) struct TilePieces<'w, S: Set, T: Store> {

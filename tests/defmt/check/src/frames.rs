@@ -5,7 +5,7 @@ use std::error::Error;
 
 /// One frame.
 pub(crate) struct Line {
-    /// Of the type, without its parameters.
+    /// The path of the type, without its parameters.
     pub(crate) path: String,
     pub(crate) value: String,
 }

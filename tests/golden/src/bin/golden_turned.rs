@@ -1,4 +1,4 @@
-//! Golden on a chip: turned boxes that move through all shapes. One of the parts, each of which
+//! Golden on a chip: oriented boxes that move through all shapes. One of the parts, each of which
 //! fits the flash of a small chip.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 #![cfg_attr(

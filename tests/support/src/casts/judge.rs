@@ -79,7 +79,7 @@ impl Forbidden {
             || self.edges().any(|(a, b)| near_side::<N>(d, time, a, b, self.radius, true))
     }
 
-    /// Seen from another place.
+    /// The scene relative to another position.
     fn moved(&self, p: Point) -> Self {
         Self { hull: self.hull.iter().map(|v| (v.0 - p.0, v.1 - p.1)).collect(), radius: self.radius }
     }

@@ -12,8 +12,8 @@ use tilesat::shape::AnyShape;
 
 pub type Any = AnyShape<MOST>;
 
-/// A turned box, a slanted capsule or a polygon around a point, up to about `size` from it. `None`
-/// if it would have no area.
+/// An oriented box, a slanted capsule or a polygon around a point, up to about `size` from it.
+/// `None` if it would have no area.
 pub fn figure(r: &mut Random, c: Point, size: i64) -> Option<Shape> {
     let size = 1 + r.magnitude(size);
     let near = |r: &mut Random| (c.0 + r.around(size), c.1 + r.around(size));

@@ -1,5 +1,5 @@
-//! The convex family: capsules, turned boxes and polygons with each other and with the three plain
-//! shapes.
+//! The convex family: capsules, oriented boxes and polygons with each other and with the three
+//! plain shapes.
 //!
 //! The judge is that of [`oracle`](crate::oracle): the sum `A + (-B)` as an explicit hull, and the
 //! origin's position in it.

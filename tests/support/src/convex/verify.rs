@@ -92,7 +92,8 @@ impl<'a> Pair<'a> {
         if !a.is_plain() || !b.is_plain() {
             assert_eq!(found.axis(), contact.axis(), "{case}");
         } else if contact.is_degenerate() {
-            // Of several shortest exits, contacts of plain shapes take one and polygons another.
+            // If there are several shortest exits, contacts of plain shapes take one and polygons
+            // another.
             self.exit(&found.deepest().contact);
         } else {
             let (u, v) = (found.axis(), contact.axis());

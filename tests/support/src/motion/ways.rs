@@ -1,5 +1,5 @@
-//! What a circle or a capsule among blocks may do at a hit, from its place alone: where it stops
-//! nothing leads on, and what it keeps is the longest part of its velocity that leads on.
+//! What a circle or a capsule among blocks may do at a hit, from its place alone. Where it stops,
+//! nothing leads on; and it keeps the longest part of its velocity that leads on.
 //!
 //! All in integers. Velocities have [`BITS`] bits below a raw unit, and each projection errs by
 //! less than one of those.
@@ -175,8 +175,8 @@ pub fn stops_rightly(level: &Level, start: &Body, v: P, response: Response, out:
     }
 }
 
-/// A velocity that is left is the longest free part of what some of the hits leave of the call's,
-/// within the roundings, and the body has made all of the way that it had time for.
+/// A velocity that is left is, within the roundings, the longest free part of what some of the hits
+/// leave of the call's. The body has made all of the way that it had time for.
 ///
 /// Which of the hits are still touched at the last one may be decided by a raw unit. That it is
 /// some of them may not, and what it goes on along is one plane that it touches there.
@@ -263,8 +263,8 @@ pub fn place_of_last(response: Response, out: &Outcome) -> Option<(Body, Hit)> {
 /// is rounded by 2 raw on each axis, `2 sqrt 2 < 3`.
 fn makes_its_way(level: &Level, v: P, response: Response, out: &Outcome) -> Result<(), String> {
     let (Some((at, last)), Body::Disc { r, .. }) = (place_of_last(response, out), out.body) else { return Ok(()) };
-    // Of a face any point of its line, of a corner the corner: both lie to the side that the normal
-    // points to.
+    // For a face any point of its line, for a corner the corner: both lie to the side to which the
+    // normal points.
     let (p, n) = (corner(level, &last), axis(&last));
     let m = from_corner(&at, p);
     let distance = if last.index < 4 { dot(m, n) } else { len2(m).isqrt() };

@@ -27,7 +27,7 @@ impl Fraction {
     }
 }
 
-/// The sum, as seen from the origin.
+/// The sum, relative to the origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     pub place: Place,

@@ -90,7 +90,7 @@ pub fn judge_views(s: &Scene, out: &Outcome, views: &[View], tally: &mut Tally) 
             let parts = seen.4.iter().zip(&expected.4).find(|(a, b)| a != b);
             let tie = parts.is_some_and(|(a, b)| a.0 == b.0 && len2(a.1) == len2(b.1))
                 && (view == View::Transpose || (seen.0, seen.1, seen.2) == (expected.0, expected.1, expected.2));
-            // Of two lattice vectors equally near to a bounce, coordinates choose one.
+            // If two lattice vectors are equally near to a bounce, coordinates choose one.
             let near = |p: P, q: P| (p.0 - q.0).abs().max((p.1 - q.1).abs()) <= 1;
             let bounce = view == View::Transpose && s.response == Response::Bounce && near(seen.1, expected.1);
             // Before a diagonal surface a position is rounded along x or along y.

@@ -1,4 +1,4 @@
-//! Turned boxes and other polygons among moving solids, by the exact sum of two convex shapes.
+//! Oriented boxes and other polygons among moving solids, by the exact sum of two convex shapes.
 
 use super::judge::{Block, Judged};
 use super::ticks::{CELL, coordinate};
@@ -54,7 +54,7 @@ impl Judged for Polygon {
     }
 }
 
-/// Turned boxes as polygons, triangles and others, sharp or round.
+/// Oriented boxes as polygons, triangles and others, sharp or round.
 pub fn polygons(random: &mut Random) -> Polygon {
     loop {
         let c = (coordinate(random), coordinate(random));

@@ -106,7 +106,7 @@ pub fn mirrored_shape(shape: &Any) -> Any {
             let points: Vec<_> = p.vertices().iter().map(|p| flip(*p)).collect();
             ConvexPolygon::new(&points).unwrap().with_radius(p.radius()).unwrap().into()
         }
-        // Turned boxes are polygons here: a mirrored direction rounds in another way.
+        // Oriented boxes are polygons here: a mirrored direction rounds in another way.
         Any::Segment(_) | Any::OrientedBox(_) => panic!("not made"),
     }
 }
@@ -124,7 +124,7 @@ pub fn show(list: &[Solid]) -> String {
     list.iter().map(one).collect::<Vec<_>>().concat()
 }
 
-/// A turned box as a polygon.
+/// An oriented box as a polygon.
 pub fn plank(c: P, half: P, direction: (i64, i64)) -> Any {
     let direction = Axis::new(direction.0 as i32, direction.1 as i32);
     let turned = OrientedBox::new(vec2(c), vec2(half), direction).unwrap();
@@ -341,7 +341,7 @@ impl<W: World> Scene<'_, W> {
                         }
                     }
                     Err(MoveError::Stuck(_)) => panic!("stuck without being squashed: {b:?} {}", show(&list)),
-                    Err(MoveError::Range(e)) => panic!("{e:?}"),
+                    Err(e) => panic!("{e:?}"),
                 }
             }
         }

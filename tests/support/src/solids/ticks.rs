@@ -303,7 +303,7 @@ impl<W: World> Scene<'_, W> {
                         }
                     }
                     Err(MoveError::Stuck(_)) => panic!("stuck without being squashed: {} {}", b.show(), show(&list)),
-                    Err(MoveError::Range(e)) => panic!("{e:?}"),
+                    Err(e) => panic!("{e:?}"),
                 }
             }
         }

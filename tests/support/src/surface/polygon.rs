@@ -8,7 +8,7 @@ pub type Point = (i64, i64);
 pub struct Edge {
     pub a: Point,
     pub b: Point,
-    /// Of an arc: its centre, and whether it is convex.
+    /// For an arc: its centre, and whether it is convex.
     pub arc: Option<(Point, bool)>,
     /// 0 to 3 on the sides, else 8.
     pub index: u16,

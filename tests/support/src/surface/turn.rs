@@ -24,13 +24,13 @@ pub const TURNS: [Turn; 7] = {
 };
 
 impl Turn {
-    /// Of a point around the origin, or a direction.
+    /// Turns a point around the origin, or a direction.
     pub fn point(self, p: Point) -> Point {
         let p = if self.mirror { (-p.0, p.1) } else { p };
         (0..self.quarters).fold(p, |p, _| (-p.1, p.0))
     }
 
-    /// Of a point in a box with a corner at the origin: size before, and the point in the turned
+    /// Turns a point in a box with a corner at the origin: size before, and the point in the turned
     /// box.
     fn within(self, (w, h): Point, p: Point) -> Point {
         let p = self.point((2 * p.0 - w, 2 * p.1 - h));

@@ -1,4 +1,4 @@
-//! Capsules, turned boxes, polygons, shapes of any kind and compounds: all queries, and motion.
+//! Capsules, oriented boxes, polygons, shapes of any kind and compounds: all queries, and motion.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::heapless::VecView;
 use tilesat::motion::{Mover, escape, turn};

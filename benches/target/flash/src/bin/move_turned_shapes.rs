@@ -1,4 +1,4 @@
-//! One turned box that moves and slides through a tile map of this set.
+//! One oriented box that moves and slides through a tile map of this set.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::motion::Mover;
 use tilesat::world::{AllShapes, TileMap};

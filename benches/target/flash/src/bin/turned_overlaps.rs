@@ -1,4 +1,4 @@
-//! Turned box against turned box.
+//! Oriented box against oriented box.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 use tilesat::OrientedBox;
 use tilesat::prelude::*;

@@ -1,4 +1,4 @@
-//! Prints what turned boxes, polygons and slanted capsules cost: in pairs, and in motion.
+//! Prints what oriented boxes, polygons and slanted capsules cost: in pairs, and in motion.
 
 #![no_std]
 #![no_main]
