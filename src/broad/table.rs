@@ -258,7 +258,7 @@ pub trait HasTable: Sized {
     fn slots(&mut self) -> Slots<'_, Self::Tag>;
 }
 
-/// How bodies are found, each broad phase in its own way.
+/// How a broad phase finds bodies.
 ///
 /// Sealed: nothing outside the crate implements it or needs to name it. The public face is
 /// [`BroadPhase`](super::BroadPhase), which has its [`Tag`](HasTable::Tag).

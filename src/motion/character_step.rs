@@ -6,12 +6,12 @@ use super::plan::Plan;
 use super::{Body, MoveError, Walked};
 use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
-use crate::world::{Solids, World};
+use crate::world::World;
 
 impl<B: Body> Character<B> {
     /// The second half of [`step_on`](Self::step_on), in a level [`Joined`](crate::Joined) with the
-    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned, whose
-    /// example shows both.
+    /// solids at their new positions. `carry` is the motion that [`ride`](Self::ride) returned. The
+    /// example of `ride` shows both.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -39,8 +39,8 @@ impl<B: Body> Character<B> {
         let stood = self.floor.is_some();
         let landed = !stood && walked.met_floor;
         (self.body, self.floor) = (moved.body, walked.floor);
-        // The parts of the velocity that nothing changed go on. On a solid, the velocity counts as
-        // seen from the solid again.
+        // The components of the velocity that nothing changed are kept. On a solid, the velocity is
+        // relative to the solid again.
         let (now, was) = (moved.velocity, plan.velocity);
         let free = if plan.walks { (!moved.wall, !moved.ceiling) } else { (now.x == was.x, now.y == was.y) };
         let kept = |v: Vec2| {
@@ -50,9 +50,7 @@ impl<B: Body> Character<B> {
         let (base, full) = (kept(self.base), now + kept(plan.made));
         (self.base, self.velocity) = match walked.floor {
             None => (base, full),
-            Some(floor) if stood || Solids::key_of(floor.cell).is_some() => {
-                (Vec2::ZERO, Vec2::new(full.x - base.x, now.y))
-            }
+            Some(floor) if stood || floor.solid().is_some() => (Vec2::ZERO, Vec2::new(full.x - base.x, now.y)),
             Some(_) => (Vec2::ZERO, Vec2::new(full.x, now.y)),
         };
         if walked.met_floor {

@@ -30,7 +30,7 @@ struct Speeds {
 }
 
 impl<B: Body> Character<B> {
-    /// Timers, gravity, launches, jumps and running: the velocity of this frame.
+    /// Updates the timers, and returns the velocity of this frame after all rules.
     pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
         let stands = self.floor.is_some();
         self.count_frames(input.jump, stands);
@@ -75,8 +75,7 @@ impl<B: Body> Character<B> {
         let feel = &self.feel;
         let rate = if stands { feel.acceleration } else { feel.air_acceleration };
         let base_fall = self.downward(base.y);
-        // Off a sinking solid it falls faster by the solid's speed. Above a rising one it falls no
-        // slower.
+        // Off a sinking solid it falls faster by the solid's speed; above a rising one no slower.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
         let against_wall = self.wall_age <= 1 && run.signum() == Fx::from(self.wall) && self.wall != 0;
         let limit = feel.wall_slide.filter(|_| against_wall).map_or(fastest, |slide| slide.min(feel.fall));
@@ -117,9 +116,9 @@ impl<B: Body> Character<B> {
 
     /// Counts how far it still falls through one-way floors.
     ///
-    /// A solid that sinks comes below the feet again, before the body falls. Farther below it than
-    /// it sinks in a frame, the drop is over. It sinks by at most the snap; the rest is for one
-    /// that speeds up.
+    /// A solid that sinks moves below the feet first, before the body falls. The drop is over once
+    /// the body is farther below than the solid sinks in a frame. It sinks by at most the snap; the
+    /// rest is for a solid that speeds up.
     fn count_drop(&mut self, drops: bool, carry: Vec2, fall: Fx) {
         if drops && self.ridden().is_some() {
             let sinks = self.downward(carry.y).max(Fx::ZERO);
@@ -129,10 +128,10 @@ impl<B: Body> Character<B> {
     }
 }
 
-/// The part of a velocity in the air that a solid's push has already made.
+/// The part of a velocity in the air that solids have already made.
 ///
-/// A push in its own direction makes a part of its way. So does the solid that it left, if that
-/// comes below its feet in the frame in which it lands.
+/// A push along the velocity has already made a part of this frame's motion. So has the solid that
+/// the character left, if it comes under its feet in the frame of the landing.
 fn already_made(velocity: Vec2, base: Vec2, carry: Vec2) -> Vec2 {
     let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
     Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y))
