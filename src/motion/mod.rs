@@ -59,7 +59,7 @@
 //!
 //! For slow motion, take *fewer steps*, not smaller velocities. Half a velocity is rounded again,
 //! gravity would have to shrink with the square, and the run would differ. Between two steps, draw
-//! a point between two positions with [`Vec2::lerp`](crate::Vec2::lerp), and never move a body there.
+//! a point between two positions with [`Vec2::lerp`](crate::Vec2::lerp). Never move a body there.
 //!
 //! ```
 //! use tilesat::{Aabb, Axis, Mover, Ratio, TileKind, TileKinds, TileMap, Vec2};

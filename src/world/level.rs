@@ -200,9 +200,10 @@ impl Seen {
 /// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views
 /// of one set of points.
 ///
-/// Code for any level asks about boxes and circles as about two shapes. For a body of another shape
-/// add a bound, `W: World + Overlaps<Capsule>`, which every level meets; for a body of a shape that
-/// is known only at run time, ask [`AnyShape::overlaps_level`](crate::shape::AnyShape::overlaps_level).
+/// Code for any level tests boxes and circles as a pair of shapes is tested. For a body of another
+/// shape, add a bound that every level meets: `W: World + Overlaps<Capsule>`. For a shape that is
+/// known only at run time, call
+/// [`AnyShape::overlaps_level`](crate::shape::AnyShape::overlaps_level).
 ///
 /// ```
 /// use tilesat::prelude::*;
