@@ -13,7 +13,7 @@ use crate::scene::{Scene, SceneEvent, Sleep, Snapshot};
 use crate::shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::world::{
     ConvexFeatures, ConvexSolids, Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures,
-    PlacedRayHits, RayHit, RayWorld, Room, Rooms, SegmentFeatures, SegmentMap, SegmentRayHits, Set, Size,
+    PlacedRayHits, RayHit, RayWorld, Room, Rooms, SegmentFeatures, SegmentMap, SegmentRayHits, ShapeSet, Size,
     SolidFeatures, SolidRayHits, SolidShape, Solids, Store, TileKinds, TileMap, TileShape, Tiles, World, WorldContact,
 };
 use defmt::{Format, Formatter, write};
@@ -250,13 +250,13 @@ impl Format for TileKinds {
     }
 }
 
-impl<S: Set, T: Store> Format for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> Format for TileMap<'_, S, T> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "TileMap {} outside {}", self.grid(), self.outside());
     }
 }
 
-impl<S: Set> Format for Room<'_, S> {
+impl<S: ShapeSet> Format for Room<'_, S> {
     fn format(&self, f: Formatter<'_>) {
         let (x, y) = self.first();
         write!(
@@ -271,7 +271,7 @@ impl<S: Set> Format for Room<'_, S> {
     }
 }
 
-impl<S: Set> Format for Rooms<'_, S> {
+impl<S: ShapeSet> Format for Rooms<'_, S> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Rooms {=u16} x {=u16}", self.columns(), self.rows());
     }
@@ -320,13 +320,13 @@ impl<S: SolidShape + Format> Format for ConvexFeatures<'_, S> {
     }
 }
 
-impl<S: Set, T: Store> Format for Features<'_, S, T> {
+impl<S: ShapeSet, T: Store> Format for Features<'_, S, T> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Features of {}", self.map);
     }
 }
 
-impl<S: Set, T: Store> Format for Tiles<'_, S, T> {
+impl<S: ShapeSet, T: Store> Format for Tiles<'_, S, T> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Tiles of {}", self.map);
     }

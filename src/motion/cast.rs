@@ -9,7 +9,8 @@ use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::query::CastHit;
 use crate::world::{
-    Cell, ConvexSolids, Inside, Joined, Placed, RayRules, SegmentMap, Set, SolidShape, Solids, Store, TileMap, World,
+    Cell, ConvexSolids, Inside, Joined, Placed, RayRules, SegmentMap, ShapeSet, SolidShape, Solids, Store, TileMap,
+    World,
 };
 
 /// The hit of a body that was cast through a level.
@@ -26,7 +27,7 @@ pub struct BodyHit<B> {
     pub work: Work,
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The first hit of a body that moves by `motion`, or `None` if nothing is hit.
     ///
     /// Exact. A hit is where the motion would start to overlap the solid. A body that touches and

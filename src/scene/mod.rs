@@ -241,11 +241,11 @@
 //! **Tiles that only some bodies meet**: give the tiles flags, and list the flags that each kind of
 //! body passes. [`TileKinds::passing`](crate::TileKinds::passing) makes a table of tiles for each
 //! kind of body, and each table makes a level. The levels share their tiles: a door that opens does
-//! so for all. This works for every [set](crate::world::Set) of shapes.
+//! so for all. This works for every [set](crate::world::ShapeSet) of shapes.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SortSweepScene};
-//! use tilesat::world::Set;
+//! use tilesat::world::ShapeSet;
 //! use tilesat::{AllShapes, Blocks, Circle, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
 //! const CURTAIN: u8 = 1;
 //! const FENCE: u8 = 2;
@@ -266,7 +266,7 @@
 //! static ROUND_OF: [TileKinds; 3] = of_bodies(&ROUND);
 //!
 //! /// The final positions of a knight, a ghost and an arrow that start at x = 8.
-//! fn ends<S: Set>(rows: &str, kinds: &'static [TileKinds; 3]) -> Result<[i32; 3], Box<dyn std::error::Error>> {
+//! fn ends<S: ShapeSet>(rows: &str, kinds: &'static [TileKinds; 3]) -> Result<[i32; 3], Box<dyn std::error::Error>> {
 //!     let tiles = TileMap::from_ascii(rows, &TileKinds::EMPTY)?;
 //!     let level = |kind: usize| tiles.with_kinds::<S>(&kinds[kind]);
 //!     let levels = [level(0)?, level(1)?, level(2)?];

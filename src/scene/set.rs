@@ -83,7 +83,7 @@ impl SleepDifference {
 /// Costs on a Cortex-M0 with a `SortSweep`. Flash and stack are at opt-level "s". Instructions are
 /// at 3, per step of 64 boxes and circles among tiles of all shapes.
 ///
-/// <!-- costs:begin (benches/target/run.sh --readme writes this) -->
+/// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
 /// | boxes and circles | 78 584 | 5 920 |  |

@@ -6,7 +6,7 @@ use super::measure::Measure;
 use super::segment_map::SegmentMap;
 use super::solids::convex::ConvexSolids;
 use super::solids::convex_solid::SolidShape;
-use super::tile_map::{Set, Store, TileMap};
+use super::tile_map::{ShapeSet, Store, TileMap};
 use crate::error::RangeError;
 use crate::num::{
     Axis, DOMAIN, Fx, Raw, Vec2, check_coordinate, check_radius, div_sqrt, isqrt64, isqrt64_ceil, toward, usqr,
@@ -87,7 +87,7 @@ closest_point_of! {
     /// # Errors
     /// [`RangeError`] if `p` or `within` is outside the [domain](crate::num::DOMAIN), or `within`
     /// is negative.
-    [S: Set, T: Store] TileMap<'_, S, T>
+    [S: ShapeSet, T: Store] TileMap<'_, S, T>
 }
 
 closest_point_of! {

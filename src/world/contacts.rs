@@ -8,7 +8,7 @@ use super::segment_map::SegmentMap;
 use super::solids::Solids;
 use super::solids::convex::ConvexSolids;
 use super::solids::convex_solid::SolidShape;
-use super::tile_map::{Set, Store, TileMap};
+use super::tile_map::{ShapeSet, Store, TileMap};
 use crate::error::Truncated;
 use crate::num::{Axis, Fx, Raw, Vec2, div_sqrt, mul_div_wide, toward, umul, usqr};
 use crate::query::Contact;
@@ -241,7 +241,7 @@ contacts_of! {
     ///
     /// # Errors
     /// [`Truncated`] if they do not fit: `out` then holds the nearest.
-    [S: Set, T: Store] TileMap<'_, S, T>
+    [S: ShapeSet, T: Store] TileMap<'_, S, T>
 }
 
 contacts_of! {

@@ -18,7 +18,7 @@ use super::segment_map::SegmentMap;
 use super::solids::Solids;
 use super::solids::convex::ConvexSolids;
 use super::solids::convex_solid::SolidShape;
-use super::tile_map::{Set, Store, TileMap};
+use super::tile_map::{ShapeSet, Store, TileMap};
 use crate::error::Truncated;
 use crate::num::{Axis, Raw, less128, mul64, sqr64, usqr};
 use crate::query::closest::on_segment;
@@ -98,7 +98,7 @@ macro_rules! all_convex {
 }
 
 all_convex! {
-    [S: Set, T: Store,] TileMap<'_, S, T>;
+    [S: ShapeSet, T: Store,] TileMap<'_, S, T>;
     [] SegmentMap<'_>;
     [] Solids<'_>;
     [C: SolidShape,] ConvexSolids<'_, C>;

@@ -52,8 +52,8 @@ pub enum TileMapError {
         /// The row, from 0.
         row: u32,
     },
-    /// The table names a shape that the map's [`Set`](crate::world::Set) does not have, for this
-    /// id.
+    /// The table names a shape for this id that the map's [`ShapeSet`](crate::world::ShapeSet) does
+    /// not have.
     ShapeNotInSet {
         /// The first such id.
         id: u8,

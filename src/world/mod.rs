@@ -97,6 +97,6 @@ pub use tile_map::kind::{TileKind, TileKinds, TileShape};
 pub use tile_map::ray::RayHits;
 pub(crate) use tile_map::region::probe;
 pub use tile_map::region::{Probe, TileAt, Tiles};
-pub use tile_map::{AllShapes, Bits, Blocks, Bytes, Occupied, Outside, Set, Slopes, Store, TileMap};
+pub use tile_map::{AllShapes, Bits, Blocks, Bytes, Occupied, Outside, ShapeSet, Slopes, Store, TileMap};
 pub(crate) use trail::Traced;
 pub use trail::Trail;

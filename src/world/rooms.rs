@@ -5,7 +5,7 @@ use super::cell::Cell;
 use super::error::TileMapError;
 use super::grid::Grid;
 use super::tile_map::kind::TileKinds;
-use super::tile_map::{AllShapes, Outside, Set, TileMap};
+use super::tile_map::{AllShapes, Outside, ShapeSet, TileMap};
 use crate::num::{DOMAIN, Fx, Raw, Vec2};
 
 /// A part of a world, as a level with its own coordinates: its tiles, and around them an apron of
@@ -47,7 +47,7 @@ use crate::num::{DOMAIN, Fx, Raw, Vec2};
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("chunk", "screen"))]
-pub struct Room<'a, S: Set = AllShapes> {
+pub struct Room<'a, S: ShapeSet = AllShapes> {
     map: TileMap<'a, S>,
     /// The cell of the world that is the room's first.
     x: i32,
@@ -56,7 +56,7 @@ pub struct Room<'a, S: Set = AllShapes> {
     height: u16,
 }
 
-impl<'a, S: Set> Room<'a, S> {
+impl<'a, S: ShapeSet> Room<'a, S> {
     /// A room of a map with an apron of `apron` cells on each side. Its first cell is the cell
     /// (`x`, `y`) of a world.
     ///
@@ -243,7 +243,7 @@ const fn apart(from: i32, to: i32, cell: i32) -> Option<i32> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("chunks", "streaming"))]
-pub struct Rooms<'a, S: Set = AllShapes> {
+pub struct Rooms<'a, S: ShapeSet = AllShapes> {
     /// The map of each room, except for its grid.
     pattern: TileMap<'a, S>,
     world: (u16, u16),
@@ -251,7 +251,7 @@ pub struct Rooms<'a, S: Set = AllShapes> {
     apron: u16,
 }
 
-impl<'a, S: Set> Rooms<'a, S> {
+impl<'a, S: ShapeSet> Rooms<'a, S> {
     /// A world from its size and that of a room, both in columns and rows of cells. The last room
     /// of a row and of a column may be smaller.
     ///

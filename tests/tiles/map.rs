@@ -1,7 +1,7 @@
 //! Constructors and their refusals, cells and regions of tile maps.
 
 use heapless::Vec;
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{
     Aabb, AllShapes, Blocks, Cell, Circle, Fx, Grid, Outside, Quantity, Slopes, TileKind, TileKinds, TileMap,
     TileMapError, TileShape, Vec2, error::Truncated,
@@ -270,11 +270,11 @@ fn points_and_lines() {
 /// and are replaced, in any order.
 #[test]
 fn a_table_knows_the_shapes_that_it_names() {
-    fn refused<S: Set>(kinds: &TileKinds) -> Option<u8> {
+    fn refused<S: ShapeSet>(kinds: &TileKinds) -> Option<u8> {
         let map = TileMap::<S>::of(&[0], Grid::new(1, 1, Fx::from_num(16), Vec2::ZERO).unwrap(), kinds);
         map.err().map(|e| if let TileMapError::ShapeNotInSet { id } = e { id } else { unreachable!("{e}") })
     }
-    fn defined<S: Set>(kinds: &TileKinds) -> Option<u8> {
+    fn defined<S: ShapeSet>(kinds: &TileKinds) -> Option<u8> {
         (0..=u8::MAX).find(|&id| S::SHAPES >> kinds.get(id).shape as u64 & 1 == 0)
     }
     let mut random = Random::new(77);

@@ -2,7 +2,7 @@
 //! blocks, as slopes.
 
 use std::collections::BTreeSet;
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{Aabb, AllShapes, Blocks, Cell, Outside, Slopes, TileKind, TileMap, Vec2, world::Bytes};
 use tilesat_judge::surface::mosaic::{KINDS, Mosaic, OUTSIDES};
 use tilesat_judge::surface::outline::construct;
@@ -19,7 +19,7 @@ fn anything(random: &mut Random, ids: &[u8]) -> Mosaic {
     Mosaic { outside, ..Mosaic::random(random, width, height, ids) }
 }
 
-fn turned<S: Set>(mosaic: &Mosaic, turn: Turn) {
+fn turned<S: ShapeSet>(mosaic: &Mosaic, turn: Turn) {
     let same = Turn { mirror: false, quarters: 0 };
     let expected: BTreeSet<_> = mosaic.features::<S>().iter().map(|p| turn.piece(p)).collect();
     let got: BTreeSet<_> = turn.mosaic(mosaic).features::<S>().iter().map(|p| same.piece(p)).collect();
@@ -50,7 +50,7 @@ fn a_region_gives_exactly_the_boxes_that_meet_it() {
     }
 }
 
-fn in_regions<S: Set>(random: &mut Random, mosaic: &Mosaic) {
+fn in_regions<S: ShapeSet>(random: &mut Random, mosaic: &Mosaic) {
     let (map, all) = (mosaic.map::<S>(), mosaic.features::<S>());
     for _ in 0..20 {
         let mut coordinate = |from: i64, count: i64| {

@@ -2,7 +2,7 @@
 //! bodies move after each tick. The judges of the tests check all of it.
 
 use tilesat::prelude::*;
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{AllShapes, Blocks, Fx, Joined, Side, Solid, Solids, TileKinds, TileMap, World};
 use tilesat_judge::Random;
 use tilesat_judge::solids::judge::{Block, Judged};
@@ -32,7 +32,7 @@ pub(crate) fn ride(data: &[u8]) {
 }
 
 /// A level, its mirror image and a shifted copy.
-fn play<S: Set>(r: &mut Random, tiles: &[u8], kinds: &TileKinds, cells: Option<Vec<Block>>)
+fn play<S: ShapeSet>(r: &mut Random, tiles: &[u8], kinds: &TileKinds, cells: Option<Vec<Block>>)
 where
     for<'m> TileMap<'m, S>: World,
     for<'m, 's> Joined<'s, TileMap<'m, S>, Solids<'s>>: Overlaps<tilesat::Aabb> + Overlaps<tilesat::Circle>,

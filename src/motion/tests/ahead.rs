@@ -5,7 +5,7 @@ use super::std::vec::Vec;
 use super::{Entry, Kernel, Raw, Vec2, vec2};
 use crate::num::Fx;
 use crate::shape::{Aabb, Circle};
-use crate::world::{AllShapes, Feature, Grid, Outside, Set, Slopes, TileKind, TileKinds, TileMap, TileShape};
+use crate::world::{AllShapes, Feature, Grid, Outside, ShapeSet, Slopes, TileKind, TileKinds, TileMap, TileShape};
 use crate::world::{MotionPiece, World};
 use tilesat_judge::Random;
 
@@ -25,7 +25,7 @@ fn first<B: Kernel>(body: &B, d: Raw, features: impl Iterator<Item = Feature>) -
     features.filter_map(|f| body.sweep(d, &f)).reduce(|a, b| if b.before_askew(&a, d) { b } else { a })
 }
 
-fn agree<S: Set, B: Kernel>(map: &TileMap<'_, S>, body: &B, d: Raw, hits: &mut u32) {
+fn agree<S: ShapeSet, B: Kernel>(map: &TileMap<'_, S>, body: &B, d: Raw, hits: &mut u32) {
     if d.is_zero() || body.overlaps_world(map) {
         return;
     }
@@ -41,14 +41,14 @@ fn agree<S: Set, B: Kernel>(map: &TileMap<'_, S>, body: &B, d: Raw, hits: &mut u
     }
 }
 
-fn kinds<S: Set>() -> TileKinds {
+fn kinds<S: ShapeSet>() -> TileKinds {
     (0..38).fold(TileKinds::EMPTY, |kinds, id: u8| {
         let shape = TileShape::ALL[usize::from(id)];
         if S::SHAPES >> id & 1 == 0 { kinds } else { kinds.with(id, TileKind::of(shape)) }
     })
 }
 
-fn levels<S: Set>(random: &mut Random, mut test: impl FnMut(&TileMap<'_, S>, &mut Random)) {
+fn levels<S: ShapeSet>(random: &mut Random, mut test: impl FnMut(&TileMap<'_, S>, &mut Random)) {
     let kinds = kinds::<S>();
     for outside in [Outside::Empty, Outside::Solid, Outside::Edge].into_iter().cycle().take(60) {
         let tiles: Vec<u8> =

@@ -8,13 +8,13 @@ use crate::motion::search::Around;
 use crate::motion::{Body, MoveError, Moved, Mover, Response, StartInside, Surface, Work};
 use crate::num::{Axis, Fx, Ratio, Raw, Vec2};
 use crate::shape::{Aabb, Capsule, Circle};
-use crate::world::{AllShapes, Blocks, Grid, Outside, Set, TileKind, TileKinds, TileMap, TileShape};
+use crate::world::{AllShapes, Blocks, Grid, Outside, ShapeSet, TileKind, TileKinds, TileMap, TileShape};
 use tilesat_judge::{Random, cases, enough};
 
 const SIDE: i32 = 6;
 
 /// Mostly full tiles, with one-way ones and, if the set has them, shaped ones.
-fn kinds<S: Set>() -> TileKinds {
+fn kinds<S: ShapeSet>() -> TileKinds {
     let one_way = [TileShape::OneWayUp, TileShape::OneWayRight, TileShape::OneWayDown, TileShape::OneWayLeft];
     let shaped =
         [TileShape::SlopeBottomRight, TileShape::HalfTop, TileShape::ConvexTopLeft, TileShape::ConcaveBottomLeft];
@@ -39,7 +39,7 @@ struct Seen {
 }
 
 /// The same motion by sweeps and responses alone, from the start to the end.
-fn general<S: Law, T: Set, B: Body>(
+fn general<S: Law, T: ShapeSet, B: Body>(
     mover: &Mover<S>,
     world: &TileMap<'_, T>,
     body: &B,
@@ -54,7 +54,7 @@ fn general<S: Law, T: Set, B: Body>(
 
 /// Frames of a body, with and without gravity. The number of sweeps is compared too, but not what
 /// they looked at.
-fn fly<S: Law, T: Set, B: Body + PartialEq + core::fmt::Debug>(
+fn fly<S: Law, T: ShapeSet, B: Body + PartialEq + core::fmt::Debug>(
     mover: &Mover<S>,
     map: &TileMap<'_, T>,
     mut body: B,
@@ -94,7 +94,7 @@ fn number(random: &mut Random, most: i32) -> i32 {
     random.around(size.min(most)) as i32
 }
 
-fn level<T: Set>(turns: usize, seed: u64) -> Seen {
+fn level<T: ShapeSet>(turns: usize, seed: u64) -> Seen {
     let (kinds, mut random, mut seen) = (kinds::<T>(), Random::new(seed), Seen::default());
     for turn in 0..turns {
         let cell = [1 << 20, 1002, 256, 1 << 16][turn % 4];

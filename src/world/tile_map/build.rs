@@ -1,6 +1,6 @@
 //! The constructors of maps from bytes, bits or text. Each checks its input.
 
-use super::{Bits, Blocks, Bytes, Outside, Set, Store, TileMap};
+use super::{Bits, Blocks, Bytes, Outside, ShapeSet, Store, TileMap};
 use crate::num::{Fx, Vec2};
 use crate::world::error::TileMapError;
 use crate::world::grid::Grid;
@@ -73,8 +73,8 @@ impl<'a> TileMap<'a, Blocks, Bits> {
     }
 }
 
-impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of any [`Set`] of shapes from bytes, row after row, on a grid.
+impl<'a, S: ShapeSet> TileMap<'a, S, Bytes> {
+    /// A map of any [`ShapeSet`] of shapes from bytes, row after row, on a grid.
     ///
     /// ```
     /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
@@ -97,7 +97,7 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
         Self::build(tiles, grid, grid.x.count, kinds)
     }
 
-    /// A map of any [`Set`] of shapes from bytes, row after row, in cells of 16 units.
+    /// A map of any [`ShapeSet`] of shapes from bytes, row after row, in cells of 16 units.
     ///
     /// The short form of [`of`](Self::of), as [`new`](TileMap::new) is that of
     /// [`on_grid`](TileMap::on_grid).
@@ -124,7 +124,7 @@ impl<'a, S: Set> TileMap<'a, S, Bytes> {
     }
 }
 
-impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
+impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// A map of cells of 16 x 16 units from the origin.
     const fn at_origin(data: &'a [u8], width: u16, height: u16, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
         match Grid::new(width, height, CELL, Vec2::ZERO) {
@@ -217,7 +217,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
         }
     }
 
-    /// Replaces the table of kinds by one that may have the shapes of another [`Set`].
+    /// Replaces the table of kinds by one that may have the shapes of another [`ShapeSet`].
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileShape};
@@ -229,7 +229,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     ///
     /// # Errors
     /// [`TileMapError::ShapeNotInSet`].
-    pub const fn with_kinds<N: Set>(self, kinds: &'a TileKinds) -> Result<TileMap<'a, N, T>, TileMapError> {
+    pub const fn with_kinds<N: ShapeSet>(self, kinds: &'a TileKinds) -> Result<TileMap<'a, N, T>, TileMapError> {
         match TileMap::<N, T>::build(self.data, self.grid, self.stride, kinds) {
             Ok(map) => Ok(map.with_outside(self.outside)),
             Err(e) => Err(e),
@@ -283,8 +283,8 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     }
 }
 
-impl<'a, S: Set> TileMap<'a, S, Bytes> {
-    /// A map of any [`Set`] of shapes from lines of text, in cells of 16 units.
+impl<'a, S: ShapeSet> TileMap<'a, S, Bytes> {
+    /// A map of any [`ShapeSet`] of shapes from lines of text, in cells of 16 units.
     ///
     /// ```
     /// use tilesat::{Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape};

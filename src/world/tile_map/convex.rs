@@ -3,12 +3,12 @@
 
 use super::outline::{Form, FormKind};
 use super::overlap::TileSolid;
-use super::{Set, Store, TileMap};
+use super::{ShapeSet, Store, TileMap};
 use crate::num::Raw;
 use crate::query::ArcCell;
 use crate::world::convex::ConvexBody;
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     pub(super) fn convex_meets<const CLOSED: bool>(&self, body: &ConvexBody<'_>) -> bool {
         let (lo, hi) = (body.bounds.lo(), body.bounds.hi());
         if let (false, Some(thin)) = (CLOSED, body.as_box()) {
@@ -24,7 +24,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 }
 
 /// One tile. Slopes and arcs are in square cells; what has none reaches as far as its cell.
-fn meets_tile<S: Set, const CLOSED: bool>(body: &ConvexBody<'_>, solid: &TileSolid) -> bool {
+fn meets_tile<S: ShapeSet, const CLOSED: bool>(body: &ConvexBody<'_>, solid: &TileSolid) -> bool {
     let (Form { right, bottom, kind }, (lo, hi), half) = solid.parts();
     // A point of the form's own frame.
     let at = |u: i32, v: i32| Raw {

@@ -1,14 +1,14 @@
 //! The surface of a level, derived from its tiles on request.
 
 use super::surface::{CellQuery, CellSurface, TileSource};
-use super::{Set, Store, TileMap};
+use super::{ShapeSet, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::Aabb;
 use crate::world::cell::{Block, Cells, Range};
 use crate::world::level::{Feature, MotionPiece, World};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The faces, arcs and vertices of the surface that have a point in the closed region, row
     /// after row.
     ///
@@ -113,7 +113,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 /// The cursor of [`TileMap::features`]: holds no features, derives the next one from the tiles.
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
-pub struct Features<'w, S: Set, T: Store> {
+pub struct Features<'w, S: ShapeSet, T: Store> {
     pub(crate) map: &'w TileMap<'w, S, T>,
     look: CellQuery,
     cells: Cells,
@@ -123,7 +123,7 @@ pub struct Features<'w, S: Set, T: Store> {
     surface: S::CellSurface,
 }
 
-impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
+impl<S: ShapeSet, T: Store> Iterator for Features<'_, S, T> {
     type Item = Feature;
 
     fn next(&mut self) -> Option<Feature> {
@@ -139,7 +139,7 @@ impl<S: Set, T: Store> Iterator for Features<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> Features<'_, S, T> {
+impl<S: ShapeSet, T: Store> Features<'_, S, T> {
     /// Goes to the features of a cell; the cell before is over.
     pub(super) fn enter(&mut self, block: &Block) {
         self.surface.load(self.map, block, &self.look);
@@ -157,7 +157,7 @@ impl<S: Set, T: Store> Features<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> TileSource for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileSource for TileMap<'_, S, T> {
     #[inline]
     fn kind_at(&self, x: i32, y: i32) -> TileKind {
         TileMap::kind_at(self, x, y)

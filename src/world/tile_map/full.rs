@@ -1,10 +1,10 @@
 //! Which full cells a range has.
 
-use super::{Outside, Set, Store, TileMap};
+use super::{Outside, ShapeSet, Store, TileMap};
 use crate::num::Raw;
 use crate::world::cell::{Cells, Range};
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// A side of no length on a cell's border is inside the solid only where the cells on both
     /// sides are full: then the open range is reversed, and starts at the first of the two.
     #[inline(never)]

@@ -3,7 +3,7 @@
 
 use super::clear::is_clear;
 use super::surface::{BlockSurface, CellQuery};
-use super::{Outside, Set, Store, TileMap};
+use super::{Outside, ShapeSet, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::Way;
@@ -14,9 +14,9 @@ use crate::world::lines::{BlockHit, Lines};
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::Fill;
 
-impl<S: Set, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
+impl<S: ShapeSet, T: Store> sealed::Sealed for TileMap<'_, S, T> {}
 
-impl<S: Set, T: Store> World for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> World for TileMap<'_, S, T> {
     const BLOCKS: bool = !S::SHAPED;
     const ROUND: bool = S::ARCS;
     const GRID: bool = true;
@@ -155,7 +155,7 @@ impl<S: Set, T: Store> World for TileMap<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The cells whose inside meets a region.
     pub(in crate::world) const fn cells(&self, region: &Aabb) -> Cells {
         Cells::of(self.solid_range(self.open_range(region.lo(), region.hi())))
@@ -353,7 +353,7 @@ const fn beyond(range: Range, inside: Range) -> Range {
     }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The cells whose closed square meets the closed box: `ceil(lo / cell) - 1` is the column of
     /// `lo - 1`.
     pub(in crate::world) const fn closed_range(&self, lo: Raw, hi: Raw) -> Range {

@@ -4,7 +4,7 @@
 //! cells behind the line that the box spans decide. Lines come in the order of time, so the first
 //! one with a hit ends the search.
 
-use super::{Outside, Set, Store, TileMap, merged};
+use super::{Outside, ShapeSet, Store, TileMap, merged};
 use crate::num::Raw;
 use crate::shape::Aabb;
 use crate::world::cell::Range;
@@ -65,7 +65,7 @@ impl Asked {
     }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The lines that a moving box reaches.
     pub(in crate::world) const fn lines(&self, bounds: &Aabb, d: Raw) -> Lines {
         let (lo, hi) = (bounds.lo(), bounds.hi());

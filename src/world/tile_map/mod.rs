@@ -93,7 +93,7 @@ pub enum Outside {
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("TileMapLayer", "grid collision"))]
-pub struct TileMap<'a, S: Set = Blocks, T: Store = Bytes> {
+pub struct TileMap<'a, S: ShapeSet = Blocks, T: Store = Bytes> {
     pub(in crate::world) data: &'a [u8],
     pub(in crate::world) kinds: &'a TileKinds,
     pub(in crate::world) grid: Grid,
@@ -105,7 +105,7 @@ pub struct TileMap<'a, S: Set = Blocks, T: Store = Bytes> {
     pub(in crate::world) marker: PhantomData<(S, T)>,
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Columns.
     #[must_use]
     pub const fn width(&self) -> u16 {
@@ -296,7 +296,7 @@ pub(in crate::world) const fn merged(index: i32, count: u16) -> i32 {
 ///
 /// Sealed; the markers are types such as [`Blocks`]. Constructors refuse a table with a shape of
 /// another set.
-pub trait Set: Sealed + Copy + Debug + Eq + 'static {
+pub trait ShapeSet: Sealed + Copy + Debug + Eq + 'static {
     /// One bit for each discriminant of [`TileShape`] that is allowed.
     const SHAPES: u64;
 
@@ -324,7 +324,7 @@ pub(super) const fn bits(from: TileShape, to: TileShape) -> u64 {
 pub struct Blocks;
 
 impl Sealed for Blocks {}
-impl Set for Blocks {
+impl ShapeSet for Blocks {
     const SHAPES: u64 = bits(TileShape::Empty, TileShape::Full) | bits(TileShape::OneWayUp, TileShape::OneWayLeft);
     type CellSurface = BlockSurface;
 }
@@ -335,7 +335,7 @@ impl Set for Blocks {
 pub struct Slopes;
 
 impl Sealed for Slopes {}
-impl Set for Slopes {
+impl ShapeSet for Slopes {
     const SHAPES: u64 = AllShapes::SHAPES & !bits(TileShape::ConvexTopLeft, TileShape::ConcaveBottomLeft);
     type CellSurface = ShapeSurface<false>;
 }
@@ -346,7 +346,7 @@ impl Set for Slopes {
 pub struct AllShapes;
 
 impl Sealed for AllShapes {}
-impl Set for AllShapes {
+impl ShapeSet for AllShapes {
     const SHAPES: u64 = bits(TileShape::Empty, TileShape::OneWayLeft);
     type CellSurface = ShapeSurface<true>;
 }

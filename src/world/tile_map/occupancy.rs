@@ -1,6 +1,6 @@
 //! Which tiles and which areas are not empty: one bit for each, in the caller's storage.
 
-use super::{Occupied, Set, Store, TileMap};
+use super::{Occupied, ShapeSet, Store, TileMap};
 use crate::world::error::TileMapError;
 use crate::world::tile_map::kind::TileShape;
 use core::marker::PhantomData;
@@ -11,7 +11,7 @@ pub(super) const AREA_LOG: u32 = 5;
 /// Cells of a side of an area.
 pub(super) const AREA: i32 = 1 << AREA_LOG;
 
-impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
+impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// The number of words that [`fill_occupancy`](Self::fill_occupancy) needs. Each row takes one
     /// for every 32 columns, and each 32 rows take one for every 1024 columns, rounded up.
     #[must_use]
@@ -199,7 +199,7 @@ impl OccupiedRows {
     }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The first column from `x` to `last`, both in the map, whose tile is not known to be empty.
     /// Beyond `last` if there is none.
     #[inline]

@@ -4,7 +4,7 @@
 //! corner.
 
 use super::outline::{Form, FormKind};
-use super::{Set, Store, TileMap};
+use super::{ShapeSet, Store, TileMap};
 use crate::num::{LONG, Raw, usqr};
 use crate::query::meet::{gap, in_disc};
 use crate::query::{Overlaps, Touches, meet};
@@ -13,7 +13,7 @@ use crate::world::cell::{Cells, Range};
 use crate::world::level::{World, levels};
 
 levels! {
-    [S: Set, T: Store] TileMap<'_, S, T> {
+    [S: ShapeSet, T: Store] TileMap<'_, S, T> {
         /// Whether a shape overlaps the solid, that is, reaches the inside of the union of all
         /// tiles' solids.
         ///
@@ -53,7 +53,7 @@ levels! {
     }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     fn box_overlaps(&self, lo: Raw, hi: Raw) -> bool {
         if S::SHAPED {
             if lo.x == hi.x || lo.y == hi.y {
@@ -146,13 +146,13 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> Overlaps<Aabb> for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> Overlaps<Aabb> for TileMap<'_, S, T> {
     fn overlaps(&self, b: &Aabb) -> bool {
         self.box_overlaps(b.lo(), b.hi())
     }
 }
 
-impl<S: Set, T: Store> Overlaps<Circle> for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> Overlaps<Circle> for TileMap<'_, S, T> {
     fn overlaps(&self, b: &Circle) -> bool {
         let (c, r) = (b.c(), b.r());
         if r == 0 {
@@ -174,7 +174,7 @@ impl<S: Set, T: Store> Overlaps<Circle> for TileMap<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> Touches<Aabb> for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> Touches<Aabb> for TileMap<'_, S, T> {
     fn touches(&self, b: &Aabb) -> bool {
         let (lo, hi) = (b.lo(), b.hi());
         let range = self.solid_range(self.closed_range(lo, hi));
@@ -185,7 +185,7 @@ impl<S: Set, T: Store> Touches<Aabb> for TileMap<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> Touches<Circle> for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> Touches<Circle> for TileMap<'_, S, T> {
     fn touches(&self, b: &Circle) -> bool {
         let bounds = b.aabb();
         self.circle_meets::<true>(b.c(), b.r(), self.solid_range(self.closed_range(bounds.lo(), bounds.hi())))
@@ -236,7 +236,7 @@ impl TileSolid {
     /// The form is monotone: if any point of the common box is solid, the one nearest to the corner
     /// is. Where that one holds strictly, so do the points of the common box near it, and these
     /// have an inside if the box has.
-    pub(in crate::world) const fn meets_box<S: Set, const CLOSED: bool>(&self, lo: Raw, hi: Raw) -> bool {
+    pub(in crate::world) const fn meets_box<S: ShapeSet, const CLOSED: bool>(&self, lo: Raw, hi: Raw) -> bool {
         let near = self.near(lo, hi);
         let (u, v) = (if near.x > 0 { near.x } else { 0 }, if near.y > 0 { near.y } else { 0 });
         match self.form.kind {
@@ -259,7 +259,7 @@ impl TileSolid {
     /// Each test is the comparison of a radius with the distance to the solid: an open disc meets
     /// the inside of a solid, whose closure the solid is, where the centre is nearer than the
     /// radius.
-    pub(in crate::world) const fn meets_circle<S: Set, const CLOSED: bool>(&self, c: Raw, r: i32) -> bool {
+    pub(in crate::world) const fn meets_circle<S: ShapeSet, const CLOSED: bool>(&self, c: Raw, r: i32) -> bool {
         let (m, side) = (self.near(c, c), self.side());
         // The box around the solid. It is the whole solid unless the code below adds to it.
         let mut size = self.hi.sub(self.lo);

@@ -1,7 +1,7 @@
 //! Which tiles lie in a region, and which flags a shape touches. Tiles count whether they are solid
 //! or not, as coins, ladders and spikes.
 
-use super::{Set, Store, TileMap};
+use super::{ShapeSet, Store, TileMap};
 use crate::error::{RangeError, Truncated};
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_coordinate, check_motion};
 use crate::query::meet;
@@ -26,14 +26,14 @@ pub struct TileAt {
 /// The tiles of a region, row after row; see [`TileMap::tiles_in`].
 #[derive(Clone, Debug)]
 #[must_use = "cursors do nothing unless advanced"]
-pub struct Tiles<'w, S: Set, T: Store> {
+pub struct Tiles<'w, S: ShapeSet, T: Store> {
     pub(crate) map: &'w TileMap<'w, S, T>,
     range: Range,
     x: i32,
     y: i32,
 }
 
-impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
+impl<S: ShapeSet, T: Store> Iterator for Tiles<'_, S, T> {
     type Item = TileAt;
 
     fn next(&mut self) -> Option<TileAt> {
@@ -51,7 +51,7 @@ impl<S: Set, T: Store> Iterator for Tiles<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The tiles whose inside meets the region. A region that is exactly one tile gives only that
     /// tile.
     ///

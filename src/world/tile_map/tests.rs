@@ -6,7 +6,7 @@ mod set {
     use crate::world::TileShape;
     use crate::world::sealed::Sealed;
     use crate::world::tile_map::surface::BlockSurface;
-    use crate::world::tile_map::{Bits, Blocks, Bytes, Set, bits};
+    use crate::world::tile_map::{Bits, Blocks, Bytes, ShapeSet, bits};
     use crate::world::{Grid, TileKind, TileKinds, TileMap, TileMapError};
 
     /// A set without one-way tiles: a table can name a shape that is not in it.
@@ -14,7 +14,7 @@ mod set {
     struct FullOnly;
 
     impl Sealed for FullOnly {}
-    impl Set for FullOnly {
+    impl ShapeSet for FullOnly {
         const SHAPES: u64 = bits(TileShape::Empty, TileShape::Full);
         type CellSurface = BlockSurface;
     }

@@ -1,7 +1,7 @@
 //! The cells that a body passes on a long straight motion, each once, in strips: column after
 //! column, or row after row, whichever the motion crosses more of.
 
-use super::{Set, Store, TileMap};
+use super::{ShapeSet, Store, TileMap};
 use crate::num::{Raw, mul_div};
 use crate::shape::Aabb;
 use crate::world::cell::{Block, Cells, Edge, Range, Way};
@@ -13,7 +13,7 @@ struct AxisMotion {
     d: i32,
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The walk of a body whose core is rounded by `r`, before its first strip.
     ///
     /// At a slope s of at most 1, a disc reaches `r sqrt(1 + s^2) < r (1 + 7 s / 16)` aside of its

@@ -1,7 +1,7 @@
 //! The levels: tiles of each set, polygons, boxes that move.
 
 use tilesat::num::DOMAIN;
-use tilesat::world::{Outside, Set, Side, Solid};
+use tilesat::world::{Outside, ShapeSet, Side, Solid};
 use tilesat::{
     AllShapes, Blocks, Fx, Grid, Path, PathKind, SegmentMap, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2,
     segment_map,
@@ -59,7 +59,7 @@ static TILES: [u8; CELLS] = {
 const FAR: i32 = DOMAIN - (1 << 25);
 
 /// The map of a set, at one of five positions, with one of three surroundings.
-pub(crate) fn tiles<S: Set>(number: u32, kinds: &'static TileKinds) -> Option<TileMap<'static, S>> {
+pub(crate) fn tiles<S: ShapeSet>(number: u32, kinds: &'static TileKinds) -> Option<TileMap<'static, S>> {
     let at = match number / 6 % 8 {
         4 => Vec2::from_raw(FAR, FAR),
         5 => Vec2::from_raw(-FAR, FAR),

@@ -2,7 +2,7 @@
 
 use tilesat::heapless::Vec;
 use tilesat::world::{
-    Feature, Joined, Near, OneWay, Placed, RayHit, RayRules, SegmentMap, Set, Solids, Store, TileMap, World,
+    Feature, Joined, Near, OneWay, Placed, RayHit, RayRules, SegmentMap, ShapeSet, Solids, Store, TileMap, World,
     WorldContact,
 };
 use tilesat::{Aabb, Circle, Fx, Inside, RangeError, Vec2, error::Truncated};
@@ -81,10 +81,10 @@ macro_rules! surfaced {
     };
 }
 
-surfaced!([S: Set, T: Store] TileMap<'_, S, T>);
+surfaced!([S: ShapeSet, T: Store] TileMap<'_, S, T>);
 surfaced!([] SegmentMap<'_>);
-surfaced!(['a, 'b, S: Set, T: Store] Joined<'a, TileMap<'b, S, T>, SegmentMap<'b>>);
-surfaced!(['a, 'b, S: Set, T: Store] Joined<'a, TileMap<'b, S, T>, Solids<'b>>);
+surfaced!(['a, 'b, S: ShapeSet, T: Store] Joined<'a, TileMap<'b, S, T>, SegmentMap<'b>>);
+surfaced!(['a, 'b, S: ShapeSet, T: Store] Joined<'a, TileMap<'b, S, T>, Solids<'b>>);
 asked!(['a, 'b] Placed<'a, SegmentMap<'b>>);
 asked!([] Solids<'_>);
 

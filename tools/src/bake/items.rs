@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{Blocks, Slopes, TileKind, TileShape};
 
 use super::level::Level;

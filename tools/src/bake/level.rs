@@ -1,6 +1,6 @@
 //! Converts tile layers to one byte per tile.
 
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{
     Aabb, AllShapes, Blocks, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileMapError, Vec2, world::Feature,
 };

@@ -4,7 +4,7 @@ use std::collections::{HashSet, VecDeque};
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use tilesat::world::{Grid, Outside, Set, TileMap, World};
+use tilesat::world::{Grid, Outside, ShapeSet, TileMap, World};
 use tilesat::{AllShapes, Blocks, Joined, SegmentMap};
 
 use tilesat_games::platformer::sim::{Actor, BODIES, FrameReport, NoRoom, Score, Shape, Sim};
@@ -84,7 +84,7 @@ struct Frame {
 }
 
 /// The game, which knows only tiles.
-fn game<S: Set>(level: &Level, checker: &Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
+fn game<S: ShapeSet>(level: &Level, checker: &Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
     let kinds = level.kinds();
     let map = level
         .grid()

@@ -6,7 +6,7 @@ use crate::world::grid::GridAxis;
 use crate::world::ray::walk::{Axes, Beyond, Lane, X, Y, along, lead};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 use crate::world::tile_map::occupancy::AREA;
-use crate::world::tile_map::{Outside, Set, Store, TileMap};
+use crate::world::tile_map::{Outside, ShapeSet, Store, TileMap};
 
 /// The end of a walk: the axis of the line whose face was met, or one of the constants of this
 /// type, or both. 0 while it continues.
@@ -39,7 +39,7 @@ impl BlockRun {
     pub(super) const NONE: Self = Self { met: 0, id: 0, kx: 0, ky: 0, lead: 0 };
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Measures one axis of a ray.
     #[inline]
     pub(in crate::world) fn lane(&self, span: &GridAxis, o: i32, d: i32) -> Lane {
@@ -309,7 +309,7 @@ pub(in crate::world) struct Detour {
     pub(in crate::world) kind: TileKind,
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Walks to the end, step by step, from the start or any later cell that is not full. The cell
     /// is then the one to which the face belongs.
     #[cold]

@@ -5,7 +5,7 @@ mod open;
 mod packed;
 mod shapes;
 
-use super::{Outside, Set, Store, TileMap};
+use super::{Outside, ShapeSet, Store, TileMap};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, fraction, umul};
 use crate::world::cell::Cell;
@@ -16,7 +16,7 @@ use crate::world::ray::{Inside, RayHit, RayRules, checked, in_domain, rays, refu
 use crate::world::tile_map::kind::TileKind;
 use blocks::{Detour, END, INSIDE};
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The first point of the closed solid that a ray from `origin` along `motion` meets, or `None`
     /// if it ends before.
     ///
@@ -167,11 +167,11 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 /// The hits of a ray in order; see [`TileMap::cast_ray_all`].
 #[derive(Debug)]
 #[must_use = "cursors do nothing unless advanced"]
-pub struct RayHits<'w, 'a, S: Set, T: Store> {
+pub struct RayHits<'w, 'a, S: ShapeSet, T: Store> {
     pub(in crate::world) scan: Scan<'w, TileMap<'a, S, T>>,
 }
 
-impl<S: Set, T: Store> Clone for RayHits<'_, '_, S, T> {
+impl<S: ShapeSet, T: Store> Clone for RayHits<'_, '_, S, T> {
     fn clone(&self) -> Self {
         Self { scan: self.scan.clone() }
     }
@@ -179,13 +179,13 @@ impl<S: Set, T: Store> Clone for RayHits<'_, '_, S, T> {
 
 /// This impl is here, because the parts of the cursor are private to levels.
 #[cfg(feature = "defmt")]
-impl<S: Set, T: Store> defmt::Format for RayHits<'_, '_, S, T> {
+impl<S: ShapeSet, T: Store> defmt::Format for RayHits<'_, '_, S, T> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "RayHits of {}", self.scan.level);
     }
 }
 
-impl<S: Set, T: Store> Iterator for RayHits<'_, '_, S, T> {
+impl<S: ShapeSet, T: Store> Iterator for RayHits<'_, '_, S, T> {
     type Item = RayHit;
 
     fn next(&mut self) -> Option<RayHit> {
@@ -194,7 +194,7 @@ impl<S: Set, T: Store> Iterator for RayHits<'_, '_, S, T> {
 }
 
 rays! {
-    [S: Set, T: Store] TileMap<'_, S, T> {
+    [S: ShapeSet, T: Store] TileMap<'_, S, T> {
         /// Whether a ray from `a` reaches `b` without a hit: the line between them is free of the
         /// closed solid.
         ///
@@ -221,7 +221,7 @@ rays! {
     }
 }
 
-impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
+impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// Every hit of a ray, nearest first, as if it continued through what it hits.
     ///
     /// The rules are those of [`cast_ray`](Self::cast_ray), whose hit is the first. A hit is a
@@ -254,7 +254,7 @@ impl<'a, S: Set, T: Store> TileMap<'a, S, T> {
     }
 }
 
-impl<'a, S: Set, T: Store> RayWorld for TileMap<'a, S, T> {
+impl<'a, S: ShapeSet, T: Store> RayWorld for TileMap<'a, S, T> {
     type Scan<'w>
         = RayHits<'w, 'a, S, T>
     where
@@ -265,7 +265,7 @@ impl<'a, S: Set, T: Store> RayWorld for TileMap<'a, S, T> {
     }
 }
 
-impl<S: Set, T: Store> RayScan for RayHits<'_, '_, S, T> {
+impl<S: ShapeSet, T: Store> RayScan for RayHits<'_, '_, S, T> {
     fn next_found(&mut self) -> Option<ScanHit> {
         self.scan.find()
     }

@@ -3,9 +3,9 @@
 use super::blocks::{BlockRun, END};
 use crate::world::ray::walk::{Beyond, Lane, X, Y};
 use crate::world::tile_map::occupancy::{AREA, AREA_LOG};
-use crate::world::tile_map::{Set, Store, TileMap};
+use crate::world::tile_map::{ShapeSet, Store, TileMap};
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// [`run_from`](Self::run_from) that passes empty areas: pieces of it, each as far as into the
     /// next area.
     #[inline(never)]

@@ -2,9 +2,9 @@
 
 use super::blocks::{BlockRun, END};
 use crate::world::ray::walk::{Lane, X, Y};
-use crate::world::tile_map::{Set, Store, TileMap};
+use crate::world::tile_map::{ShapeSet, Store, TileMap};
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// A [run](Self::run) where no corner can be met, with the lead and the tile in one register:
     /// the lead above, so that its sign is that of both. No tile of the map is before the first
     /// one, so the lower half never borrows from the lead.

@@ -10,14 +10,14 @@ use crate::world::ray::walk::{Beyond, RayWalk, X, Y, along};
 use crate::world::tile_map::kind::{TileKind, TileShape};
 use crate::world::tile_map::outline::{Form, FormKind, InnerKind, direction, place};
 use crate::world::tile_map::shape_surface::{along as along_side, arc};
-use crate::world::tile_map::{Set, Store, TileMap};
+use crate::world::tile_map::{ShapeSet, Store, TileMap};
 
-impl<S: Set, T: Store> RayPieces for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> RayPieces for TileMap<'_, S, T> {
     const WIDE: bool = false;
     const ROUND: bool = S::ARCS;
 }
 
-impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> RayLevel for TileMap<'_, S, T> {
     type Pieces<'w>
         = TilePieces<'w, S, T>
     where
@@ -80,7 +80,7 @@ impl<S: Set, T: Store> RayLevel for TileMap<'_, S, T> {
     }
 }
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Whether a cell outside the map is not even a band that has features.
     #[cold]
     fn is_beyond_bands(&self, x: i32, y: i32) -> bool {
@@ -91,7 +91,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 
 const NONE: Raw = Raw { x: 0, y: 0 };
 
-impl<S: Set, T: Store> TileMap<'_, S, T> {
+impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Whether the start of a walk is strictly inside the solid.
     ///
     /// It is if the inequality of each shape that it touches holds strictly. If one is an equality,
@@ -150,7 +150,7 @@ impl<S: Set, T: Store> TileMap<'_, S, T> {
 /// vertices, sides that the motion does not oppose, and the marks of joints: rays do not need
 /// those, and they are most of the work.
 #[derive(Clone, Debug)]
-pub(in crate::world) struct TilePieces<'w, S: Set, T: Store> {
+pub(in crate::world) struct TilePieces<'w, S: ShapeSet, T: Store> {
     map: &'w TileMap<'w, S, T>,
     kind: TileKind,
     x: i32,
@@ -167,7 +167,7 @@ enum PieceStage {
     Over,
 }
 
-impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
+impl<'w, S: ShapeSet, T: Store> TilePieces<'w, S, T> {
     pub(in crate::world) const fn new(map: &'w TileMap<'w, S, T>, kind: TileKind, x: i32, y: i32, d: Raw) -> Self {
         Self { map, kind, x, y, d, stage: PieceStage::X }
     }
@@ -238,7 +238,7 @@ impl<'w, S: Set, T: Store> TilePieces<'w, S, T> {
     }
 }
 
-impl<S: Set, T: Store> Iterator for TilePieces<'_, S, T> {
+impl<S: ShapeSet, T: Store> Iterator for TilePieces<'_, S, T> {
     type Item = Feature;
 
     #[inline(never)]

@@ -1,7 +1,7 @@
 //! A level whose tile ids are the discriminants of their shapes.
 
 use super::region::{Point, Region, rectangle};
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{AllShapes, Blocks, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileShape, Vec2};
 
 /// Beyond every coordinate of the domain.
@@ -88,7 +88,7 @@ pub fn shape(id: u8) -> (Option<Region>, Option<Region>) {
 }
 
 impl Level {
-    fn map<S: Set>(&self, kinds: &'static TileKinds) -> TileMap<'_, S> {
+    fn map<S: ShapeSet>(&self, kinds: &'static TileKinds) -> TileMap<'_, S> {
         let origin = Vec2::from_raw(self.x as i32, self.y as i32);
         let grid = Grid::new(self.width as u16, self.height as u16, Fx::from_bits(self.cell as i32), origin).unwrap();
         TileMap::<S>::of(&self.tiles, grid, kinds).unwrap().with_outside(self.outside)

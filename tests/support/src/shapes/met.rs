@@ -2,7 +2,7 @@
 
 use crate::shapes::judge::{Body, Judge};
 use crate::shapes::level::Level;
-use tilesat::world::{Set, Store};
+use tilesat::world::{ShapeSet, Store};
 use tilesat::{Aabb, Circle, Fx, TileMap, Vec2};
 
 pub fn vec2((x, y): (i64, i64)) -> Vec2 {
@@ -10,7 +10,7 @@ pub fn vec2((x, y): (i64, i64)) -> Vec2 {
 }
 
 /// Both answers of a map.
-pub fn answers<S: Set, T: Store>(map: &TileMap<'_, S, T>, body: Body) -> (bool, bool) {
+pub fn answers<S: ShapeSet, T: Store>(map: &TileMap<'_, S, T>, body: Body) -> (bool, bool) {
     match body {
         Body::Box { lo, hi } => {
             let b = Aabb::new(vec2(lo), vec2(hi)).unwrap();

@@ -3,7 +3,7 @@
 use super::piece::{Kind, Piece};
 use super::polygon::{Point, solid};
 use crate::Random;
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{Aabb, Fx, Grid, Outside, TileKind, TileKinds, TileMap, TileShape, Vec2};
 
 /// Ids are shapes; each has other flags.
@@ -57,7 +57,7 @@ impl Mosaic {
         Self { cell, origin: (origin(width), origin(height)), ..Self::new(width, height, tiles) }
     }
 
-    pub fn map<S: Set>(&self) -> TileMap<'_, S> {
+    pub fn map<S: ShapeSet>(&self) -> TileMap<'_, S> {
         let origin = Vec2::from_raw(self.origin.0 as i32, self.origin.1 as i32);
         let grid = Grid::new(self.width as u16, self.height as u16, Fx::from_bits(self.cell as i32), origin).unwrap();
         TileMap::of(&self.tiles, grid, const { &kinds_in(S::SHAPES) }).unwrap().with_outside(self.outside)
@@ -70,7 +70,7 @@ impl Mosaic {
     }
 
     /// All features that the library reports.
-    pub fn features<S: Set>(&self) -> Vec<Piece> {
+    pub fn features<S: ShapeSet>(&self) -> Vec<Piece> {
         self.map::<S>().features(&Self::everything()).map(|f| Piece::of(&f)).collect()
     }
 

@@ -3,7 +3,7 @@
 use crate::book::{Aabb, Circle, Vector};
 use crate::rays::KINDS as BLOCKS;
 use crate::{Place, Scalar};
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{AllShapes, Axis, Blocks, Fx, Grid, Mover, Outside, TileKind, TileKinds, TileMap, TileShape, Vec2};
 use tilesat_textbook::tile::Tile;
 use tilesat_textbook::tile_set::{RawTile, tile};
@@ -40,7 +40,7 @@ static ALL_SHAPES: TileKinds = {
     kinds
 };
 
-fn map<S: Set>(room: &Room, kinds: &'static TileKinds) -> TileMap<'static, S> {
+fn map<S: ShapeSet>(room: &Room, kinds: &'static TileKinds) -> TileMap<'static, S> {
     let origin = Vec2::from_raw(room.origin, room.origin);
     let grid = Grid::new(room.width, room.height, Fx::from_bits(room.cell << 16), origin).expect("a legal grid");
     TileMap::<S>::of(room.cells, grid, kinds).expect("a legal map").with_outside(Outside::Solid)

@@ -2,7 +2,7 @@
 
 use tilesat::motion::{Hit, MoveError, Moved, Mover, Response};
 use tilesat::num::DOMAIN;
-use tilesat::world::{Set, TileMap};
+use tilesat::world::{ShapeSet, TileMap};
 use tilesat::{Aabb, Axis, Circle, Vec2};
 
 use super::FrameReport;
@@ -52,7 +52,7 @@ impl Actor {
     }
 
     /// Moves by the velocity for one frame.
-    pub fn advance<S: Set>(&mut self, map: &TileMap<'_, S>, report: &mut FrameReport) -> Outcome {
+    pub fn advance<S: ShapeSet>(&mut self, map: &TileMap<'_, S>, report: &mut FrameReport) -> Outcome {
         let mover = Mover::platformer(Axis::NEG_Y).with_response(self.response);
         self.asked = self.within_domain();
         match self.shape {

@@ -2,7 +2,7 @@
 
 use tilesat::Vec2;
 use tilesat::motion::Response;
-use tilesat::world::{Set, TileMap};
+use tilesat::world::{ShapeSet, TileMap};
 
 use super::FrameReport;
 use super::actor::Actor;
@@ -16,7 +16,7 @@ const RESPONSES: [Response; 4] = [Response::Slide, Response::Touch, Response::Dr
 
 /// Body `i`: boxes and balls alternate. Each response goes to four of either kind, half of them
 /// heavy.
-pub(super) fn start<S: Set>(map: &TileMap<'_, S>, i: usize, rng: &mut Rng) -> Option<Actor> {
+pub(super) fn start<S: ShapeSet>(map: &TileMap<'_, S>, i: usize, rng: &mut Rng) -> Option<Actor> {
     let cell = map.cell().to_bits();
     let pick = |n: usize| i.wrapping_sub(1) / n;
     let size = SIZES.get(pick(2) % 8).copied().unwrap_or((4, 4));
@@ -29,7 +29,7 @@ pub(super) fn start<S: Set>(map: &TileMap<'_, S>, i: usize, rng: &mut Rng) -> Op
 }
 
 /// Falls, gets a push every 128 frames, and moves.
-pub(super) fn step<S: Set>(
+pub(super) fn step<S: ShapeSet>(
     map: &TileMap<'_, S>,
     actor: &mut Actor,
     i: usize,

@@ -6,7 +6,7 @@ mod player;
 mod rng;
 mod start;
 
-use tilesat::world::{Set, TileMap};
+use tilesat::world::{ShapeSet, TileMap};
 
 pub use actor::{Actor, Shape};
 pub use player::{MAX_COINS, Score};
@@ -57,7 +57,7 @@ pub struct Sim {
 
 impl Sim {
     /// Puts all bodies at free positions that the seed chooses.
-    pub fn new<S: Set>(map: &TileMap<'_, S>, rules: Rules, seed: u32) -> Result<Self, NoRoom> {
+    pub fn new<S: ShapeSet>(map: &TileMap<'_, S>, rules: Rules, seed: u32) -> Result<Self, NoRoom> {
         let mut rng = Rng::new(seed);
         let (player, first) = Player::new(map, rules, &mut rng).ok_or(NoRoom)?;
         let mut actors = [first; BODIES];
@@ -69,7 +69,7 @@ impl Sim {
     }
 
     /// Moves every body by one frame.
-    pub fn step<S: Set>(&mut self, map: &TileMap<'_, S>) -> FrameReport {
+    pub fn step<S: ShapeSet>(&mut self, map: &TileMap<'_, S>) -> FrameReport {
         let mut report = FrameReport::default();
         for (i, actor) in self.actors.iter_mut().enumerate() {
             if i == 0 {

@@ -1,7 +1,7 @@
 //! The scripted player: a small state machine that sees the level through tile lookups.
 
 use tilesat::motion::Response;
-use tilesat::world::{Cell, Set, TileKind, TileMap, TileShape};
+use tilesat::world::{Cell, ShapeSet, TileKind, TileMap, TileShape};
 use tilesat::{Aabb, Vec2};
 
 use super::actor::{Actor, Outcome, Shape};
@@ -49,7 +49,7 @@ pub(super) struct Player {
 }
 
 impl Player {
-    pub(super) fn new<S: Set>(map: &TileMap<'_, S>, rules: Rules, rng: &mut Rng) -> Option<(Self, Actor)> {
+    pub(super) fn new<S: ShapeSet>(map: &TileMap<'_, S>, rules: Rules, rng: &mut Rng) -> Option<(Self, Actor)> {
         let cell = map.cell().to_bits();
         let half = (cell * 3 / 8, cell * 7 / 16);
         let mut shape = place(map, half, false, rules.kill, rng)?;
@@ -87,7 +87,7 @@ impl Player {
         self.coins.get((coin / 32) as usize).is_some_and(|word| word >> (coin % 32) & 1 != 0)
     }
 
-    pub(super) fn step<S: Set>(
+    pub(super) fn step<S: ShapeSet>(
         &mut self,
         map: &TileMap<'_, S>,
         actor: &mut Actor,
@@ -121,7 +121,7 @@ impl Player {
     }
 
     /// The velocity that it wants. It runs, jumps at walls, gaps and spikes, and climbs ladders.
-    fn steer<S: Set>(&mut self, map: &TileMap<'_, S>, body: &Aabb, velocity: Vec2, rng: &mut Rng) -> Vec2 {
+    fn steer<S: ShapeSet>(&mut self, map: &TileMap<'_, S>, body: &Aabb, velocity: Vec2, rng: &mut Rng) -> Vec2 {
         let cell = map.cell().to_bits();
         let (run, jump, gravity) = (cell * 7 / 64, cell * 21 / 64, cell / 64);
         let (x, y) = velocity.raw();
@@ -152,7 +152,7 @@ impl Player {
     }
 
     /// Whether the way ahead needs a jump.
-    fn obstacle<S: Set>(&self, map: &TileMap<'_, S>, body: &Aabb) -> bool {
+    fn obstacle<S: ShapeSet>(&self, map: &TileMap<'_, S>, body: &Aabb) -> bool {
         let cell = map.cell().to_bits();
         let ((left, _), (right, bottom)) = (body.min().raw(), body.max().raw());
         let front = if self.direction > 0 { right } else { left } + self.direction * cell / 4;
@@ -164,7 +164,7 @@ impl Player {
     }
 
     /// Reacts to the flags of the tiles that it is in, and of those that it ran into.
-    fn feel<S: Set>(&mut self, map: &TileMap<'_, S>, actor: &mut Actor, report: &mut FrameReport) {
+    fn feel<S: ShapeSet>(&mut self, map: &TileMap<'_, S>, actor: &mut Actor, report: &mut FrameReport) {
         let Shape::Box(body) = actor.shape else { return };
         let cell = map.cell().to_bits();
         let margin = cell / 16;
@@ -203,7 +203,7 @@ impl Player {
 
     /// A bit per coin takes less memory than a bit per cell. It counts coins only while it is in
     /// one.
-    fn take<S: Set>(&mut self, map: &TileMap<'_, S>, at: Cell) {
+    fn take<S: ShapeSet>(&mut self, map: &TileMap<'_, S>, at: Cell) {
         let width = map.width() as i16;
         let before = (0..=at.y).flat_map(|y| (0..width).map(move |x| Cell::new(x, y)));
         let before = before.take_while(|&cell| cell != at);
@@ -218,7 +218,7 @@ impl Player {
 }
 
 /// Whether nothing deadly lies between a position and the ground straight below it.
-fn lands_safely<S: Set>(map: &TileMap<'_, S>, place: &Shape, kill: u8) -> bool {
+fn lands_safely<S: ShapeSet>(map: &TileMap<'_, S>, place: &Shape, kill: u8) -> bool {
     let Shape::Box(body) = place else { return true };
     [body.min().x, body.max().x].iter().all(|&x| {
         let top = map.cell_at(Vec2::new(x, body.min().y));

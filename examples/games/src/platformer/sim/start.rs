@@ -1,6 +1,6 @@
 //! Finds free space in a level without a heap.
 
-use tilesat::world::{Set, TileMap, TileShape};
+use tilesat::world::{ShapeSet, TileMap, TileShape};
 use tilesat::{Aabb, Circle, Vec2};
 
 use super::actor::Shape;
@@ -13,7 +13,7 @@ const TRIES: u32 = 48;
 ///
 /// If random tries find no position, the body shrinks to fit a cell, and the search visits every
 /// cell. `None` means that the map has no free cell.
-pub(super) fn place<S: Set>(
+pub(super) fn place<S: ShapeSet>(
     map: &TileMap<'_, S>,
     half: (i32, i32),
     ball: bool,
@@ -39,7 +39,7 @@ pub(super) fn place<S: Set>(
 }
 
 /// The first cell with a free middle, from a random one on.
-fn scan<S: Set>(map: &TileMap<'_, S>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rng) -> Option<Shape> {
+fn scan<S: ShapeSet>(map: &TileMap<'_, S>, half: (i32, i32), ball: bool, avoid: u8, rng: &mut Rng) -> Option<Shape> {
     let cell = map.cell().to_bits();
     let (columns, rows) = (u32::from(map.width()), u32::from(map.height()));
     let (mut x, mut y) = (rng.below(columns), rng.below(rows));
@@ -70,7 +70,7 @@ fn shape(centre: (i32, i32), half: (i32, i32), ball: bool) -> Option<Shape> {
     }
 }
 
-fn free<S: Set>(map: &TileMap<'_, S>, shape: &Shape, avoid: u8) -> bool {
+fn free<S: ShapeSet>(map: &TileMap<'_, S>, shape: &Shape, avoid: u8) -> bool {
     match shape {
         Shape::Box(aabb) => !map.overlaps(aabb) && map.flags_touched(aabb) & avoid == 0,
         Shape::Ball(circle) => !map.overlaps(circle) && map.flags_touched(circle) & avoid == 0,

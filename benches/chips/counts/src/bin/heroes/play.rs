@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{Outcome, Step};
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 use tilesat::{
     Aabb, Character, Feel, Grid, Input, RangeError, Solid, TileKind, TileKinds, TileMap, TileShape, Vec2, fx,
 };
@@ -32,7 +32,7 @@ static TILES: [[u8; 24]; 10] = [
     *b"########....############",
 ];
 
-fn level<S: Set>() -> Option<TileMap<'static, S>> {
+fn level<S: ShapeSet>() -> Option<TileMap<'static, S>> {
     let slopes = S::SHAPES >> TileShape::SlopeBottomRight as u64 & 1 != 0;
     let grid = Grid::new(24, 10, fx!(16), Vec2::ZERO).ok()?;
     TileMap::of(TILES.as_flattened(), grid, if slopes { &SLOPES } else { &BLOCKS }).ok()
@@ -104,7 +104,7 @@ fn spawn(on: &Aabb) -> Option<Aabb> {
 
 /// The mean and the most of the frames, and the most of their stack. The play is played twice.
 #[inline(never)]
-pub fn row<S: Set, const LIFT: bool>(counter: &Counter<Short>, name: &str) -> Option<()> {
+pub fn row<S: ShapeSet, const LIFT: bool>(counter: &Counter<Short>, name: &str) -> Option<()> {
     let map = level::<S>()?;
     // SAFETY: the only reference to the play while this runs.
     let frame: Query<*mut Play, TileMap<'static, S>, ()> = |play, map| unsafe {

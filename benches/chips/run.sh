@@ -405,7 +405,7 @@ for entry in "${tables[@]}"; do
     IFS=: read -r file mark script <<<"$entry"
     if ! cmp -s <(with_table "$file" "$mark" "$script") "$root/$file"; then
         stale=1
-        echo "the table in $file differs from counts.txt: benches/target/run.sh --readme writes it"
+        echo "the table in $file differs from counts.txt: benches/chips/run.sh --readme writes it"
     fi
 done
 [[ -z $without ]] || echo "NOT MEASURED, so not compared: $without"

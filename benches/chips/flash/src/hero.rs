@@ -5,7 +5,7 @@ use tilesat::{
     Aabb, Character, Feel, Grid, Input, Solid, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, fx,
 };
 
-use tilesat::world::Set;
+use tilesat::world::ShapeSet;
 
 static BLOCKS: TileKinds = TileKinds::EMPTY.with(1, TileKind::FULL).with(2, TileKind::ONE_WAY_UP);
 static SLOPES: TileKinds = TileKinds::EMPTY
@@ -22,7 +22,7 @@ static TILES: [u8; 40] = [
 
 /// The level, with a ramp if the set has one.
 #[inline(always)]
-pub fn level<S: Set>() -> Result<TileMap<'static, S>, TileMapError> {
+pub fn level<S: ShapeSet>() -> Result<TileMap<'static, S>, TileMapError> {
     let grid = const {
         match Grid::new(8, 5, fx!(16), Vec2::ZERO) {
             Ok(grid) => grid,
