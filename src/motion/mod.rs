@@ -160,6 +160,7 @@ mod rider;
 mod run;
 mod search;
 mod slide;
+mod slope_limit;
 mod solids;
 mod stance;
 #[cfg(feature = "serde")]

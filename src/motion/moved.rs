@@ -1,7 +1,7 @@
 //! The results of a motion, and its hits.
 
 use super::Body;
-use super::plane::SurfaceRole;
+use super::slope_limit::SurfaceRole;
 use crate::error::{RangeError, Truncated};
 use crate::num::{Axis, Fx, Toi, Vec2};
 use crate::world::{Cell, Feature};

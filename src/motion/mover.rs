@@ -2,10 +2,11 @@
 
 use super::body::Body;
 use super::order::First;
-use super::plane::{SlopeLimit, may_be_askew};
+use super::plane::may_be_askew;
 use super::response::{Bounce, ByFlags, ByHit, Law, Response, Responses, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::{Around, check_cells};
+use super::slope_limit::SlopeLimit;
 use super::{Hit, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
 use crate::world::{Feature, World};

@@ -4,9 +4,10 @@
 use super::body::{Body, Entry};
 use super::contact::{Bend, Came, Plane, came, touched};
 use super::order::First;
-use super::plane::{NEAR, SurfaceRole, across, into, long, may_be_askew, project, reflect, way};
+use super::plane::{NEAR, across, into, long, may_be_askew, project, reflect, way};
 use super::response::{Law, Smooth};
 use super::run::{Run, check_inside, margin, straightened};
+use super::slope_limit::SurfaceRole;
 use super::ways::{Way, Ways};
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, mul_div, umul};

@@ -18,8 +18,8 @@ mod turn;
 
 use crate::error::{Quantity, RangeError};
 use crate::motion::body::Body;
-use crate::motion::plane::SurfaceRole;
 use crate::motion::response::Law;
+use crate::motion::slope_limit::SurfaceRole;
 use crate::motion::walk::CONTACT;
 use crate::motion::{MoveError, Mover, Work};
 use crate::num::{Axis, Fx, MOTION, Raw, Vec2, usqr};

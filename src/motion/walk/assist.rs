@@ -3,10 +3,11 @@
 use super::ground::{Ground, Look, along, within};
 use super::walker::checked;
 use crate::error::Quantity;
-use crate::motion::plane::{SurfaceRole, into, way};
+use crate::motion::plane::{into, way};
 use crate::motion::response::Law;
 use crate::motion::run::Run;
 use crate::motion::search::{Around, check_cells};
+use crate::motion::slope_limit::SurfaceRole;
 use crate::motion::{Body, MoveError, Moved, Mover};
 use crate::num::{Fx, Raw, Vec2};
 use crate::shape::Aabb;

@@ -3,9 +3,10 @@
 use crate::error::RangeError;
 use crate::motion::body::{Body, Entry};
 use crate::motion::order::First;
-use crate::motion::plane::{NEAR, SurfaceRole, into, may_be_askew, way};
+use crate::motion::plane::{NEAR, into, may_be_askew, way};
 use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, check_cells};
+use crate::motion::slope_limit::SurfaceRole;
 use crate::motion::ways::Ways;
 use crate::motion::{Hit, Moved, Mover};
 use crate::num::{Axis, DOMAIN, Fx, Raw, Toi, Vec2, mul_div, umul};

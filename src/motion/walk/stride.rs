@@ -4,11 +4,10 @@ use super::Support;
 use super::ground::{CONTACT, Ground, Look, along, length};
 use super::walker::{SlopeSpeed, Walker};
 use crate::motion::body::Body;
-use crate::motion::plane::{
-    NEAR, Pipe, SurfaceRole, across, lies_along, may_be_askew, project, tangent, tangential, way,
-};
+use crate::motion::plane::{NEAR, Pipe, across, lies_along, may_be_askew, project, tangent, tangential, way};
 use crate::motion::response::Smooth;
 use crate::motion::run::{Checkpoint, Run, check_inside};
+use crate::motion::slope_limit::SurfaceRole;
 use crate::motion::ways::{Way, Ways};
 use crate::motion::{MoveError, Mover};
 use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};

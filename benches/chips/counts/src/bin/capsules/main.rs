@@ -29,7 +29,7 @@ fn moves<W: World + Copy>(table: &mut Table, map: W, name: &str, speed: i32) {
     let next = move |r: &mut Random| {
         let body = upright(r)?;
         // The mover refuses a body that starts in the solid.
-        Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, vec((1, 0))).ok()?;
+        let _ = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, vec((1, 0))).ok()?;
         Some(((body, vec((r.raw(-speed, speed), r.raw(-speed, speed)))), map))
     };
     table.row(name, None, step, loads, next, Result::is_ok);

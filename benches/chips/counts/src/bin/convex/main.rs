@@ -98,7 +98,7 @@ fn moves<W: World + Copy, B: Body>(
         let at = place(r);
         let body = make(r, at)?;
         // What starts in the solid is refused.
-        Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, vec((1, 0))).ok()?;
+        let _ = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, vec((1, 0))).ok()?;
         Some(((body, vec((r.raw(-speed, speed), r.raw(-speed, speed)))), map))
     };
     table.row(name, None, step, loads, next, Result::is_ok);

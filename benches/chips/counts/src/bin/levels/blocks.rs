@@ -89,7 +89,7 @@ fn at_rest<B: Body + PartialEq>(
     table.row(rests, None, step, loads, move |r| Some(((landed(r)?, gravity), map)), rested);
     let remembered = move |r: &mut Random| {
         let (body, mut memo) = (landed(r)?, Memo::new());
-        memo.move_and_slide(&mover, &map, 0, &body, gravity).ok()?;
+        let _ = memo.move_and_slide(&mover, &map, 0, &body, gravity).ok()?;
         Some(((body, gravity), (map, memo)))
     };
     table.row(remembers, None, again, |_, _| load::<_, _, _, 5, 0>, remembered, rested);
