@@ -86,18 +86,18 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 78 584 | 5 920 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 92 250 | 6 192 | 3 696 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 120 744 | 6 184 | 4 440 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 040 | 3 808 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 796 | 4 664 |
+/// | boxes and circles | 79 892 | 5 944 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 93 002 | 6 192 | 3 704 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 121 856 | 6 176 | 4 440 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 160 | 3 832 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 900 | 4 760 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 225 286 |
-/// | fly and land, at most | 433 712 |
-/// | lie in nooks of slopes, none may sleep | 826 755 |
-/// | the same, if the scene [remembers](Self::remembering) | 54 389 |
+/// | fly and land, mean | 225 881 |
+/// | fly and land, at most | 435 004 |
+/// | lie in nooks of slopes, none may sleep | 844 122 |
+/// | the same, if the scene [remembers](Self::remembering) | 54 141 |
 /// | sleep | 58 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
