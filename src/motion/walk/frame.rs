@@ -99,6 +99,8 @@ impl Walker {
     ///
     /// # Errors
     /// As [`Mover::move_and_slide`].
+    ///
+    /// [`Mover::move_and_slide`]: crate::Mover::move_and_slide
     pub fn walk<W: World, B: Body>(
         &self,
         world: &W,
