@@ -173,7 +173,7 @@ impl<const ROUND: bool> CellSurface for ShapeSurface<ROUND> {
 /// The indices of vertices.
 const VERTICES: u16 = 0b10_1111_0000;
 
-/// The inner piece, and the sides whose line is in the region; that the cell is is known.
+/// The inner piece, and the sides whose line is in the region. The cell is known to reach into it.
 const fn reached((lo, hi): (Raw, Raw), region: (Raw, Raw)) -> u16 {
     (lo.y >= region.0.y) as u16
         | ((hi.x <= region.1.x) as u16) << 1

@@ -215,7 +215,7 @@ impl BlockSurface {
         (faces | (toward | toward >> 1 | toward << 3) << 4) & reached
     }
 
-    /// The indices whose place is in the region; that the cell is is known.
+    /// The indices whose place is in the region. The cell is known to reach into it.
     fn reached(&self, region: (Raw, Raw)) -> PieceBits {
         let (lo, hi) = self.solid;
         let mut out = 0;
