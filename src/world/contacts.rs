@@ -62,8 +62,8 @@ impl WorldContact {
     ///
     /// Each component is rounded away from the surface. One case has no such displacement: a circle
     /// that is larger than a quarter pipe cannot leave it. The push then leads toward the centre of
-    /// the arc, and the ends of the arc have separate contacts. The result may lead out of the
-    /// [domain](crate::num::DOMAIN); `translated` then returns an error.
+    /// the arc. The corners and faces at its ends have separate contacts. The result may lead out
+    /// of the [domain](crate::num::DOMAIN); `translated` then returns an error.
     #[must_use]
     pub const fn push_out(&self) -> Vec2 {
         let Axis { x, y } = self.contact.axis;

@@ -284,7 +284,8 @@ impl fmt::Display for SegmentMapError {
 impl core::error::Error for SegmentMapError {}
 
 impl SegmentMapError {
-    /// Only for [`segment_map!`]: the message of [`Display`](core::fmt::Display) in a constant.
+    /// Only for [`segment_map!`]: the message of [`Display`](core::fmt::Display) for the paths of a
+    /// level, in a constant.
     #[doc(hidden)]
     #[must_use]
     pub const fn __text(&self) -> Text {

@@ -249,7 +249,8 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
     /// Pieces near the region may be included.
     fn features(&self, region: &Aabb) -> Self::Features<'_>;
 
-    /// [`features`](Self::features), for bodies that need to know how faces are joined, or do not.
+    /// [`features`](Self::features), where `joints` is whether the body needs to know how faces are
+    /// joined.
     #[doc(hidden)]
     fn features_near(&self, region: &Aabb, joints: bool) -> Self::Features<'_> {
         let _ = joints;

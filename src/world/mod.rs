@@ -32,7 +32,7 @@
 //! | `Capsule` | yes | yes | upright or level; a slanted one as an `AnyShape` | as casts |
 //! | `OrientedBox`, `ConvexPolygon` | yes | yes | yes | yes |
 //! | `AnyShape` | yes | yes | yes, if it has area or a radius | as casts |
-//! | `Compound` | its bounding box first, then its parts | the deepest part of each feature | the earliest part | yes |
+//! | `Compound` | its bounding box first, then its parts | the deepest part for each feature | the earliest part | yes |
 //! | `Segment` | none: as an `AnyShape` | none: it has no inside that could be pushed out | none: [`line_of_sight`](TileMap::line_of_sight) tests the whole segment | none: nothing to carry |
 //! | a point (`Vec2`) | a box without size | none: as a segment | `cast_ray` | none: as a segment |
 //!

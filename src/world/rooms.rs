@@ -335,9 +335,9 @@ impl<'a, S: ShapeSet> Rooms<'a, S> {
     /// The room that holds a cell of the world, and that cell in the room's map: where a spawn or a
     /// door of the world is. `None` beyond the world.
     ///
-    /// Points of a world are cells, because a coordinate ends at 32768 units, and a world may not.
-    /// [`Grid::bounds_of`] gives the cell's box in the room's coordinates. It is the way back of
-    /// [`Room::in_world`].
+    /// Points of a world are cells, because a coordinate ends at 8192 units, and a world may not.
+    /// [`Grid::bounds_of`] gives the cell's box in the room's coordinates. [`Room::in_world`] is
+    /// the inverse of this method.
     ///
     /// Cost: two 32-bit divisions and a [`room`](Self::room).
     ///
@@ -425,7 +425,7 @@ const fn least(a: i32, b: i32) -> i32 {
     if a < b { a } else { b }
 }
 
-/// The width with both aprons. It saturates, which no map accepts.
+/// The width with both aprons. It saturates at a width that no map accepts.
 const fn with_apron(room: u16, apron: u16) -> u16 {
     room.saturating_add(apron).saturating_add(apron)
 }
@@ -441,7 +441,8 @@ const fn index(first: i32, at: i32, cell: i32, world: u16, room: u16) -> u16 {
     quotient(if cell < 0 { 0 } else { least(cell, last as i32) as u16 }, room)
 }
 
-/// The number of rooms. A divisor is never 0.
+/// How many whole rooms fit in these cells: the index of the room of the cell after them. A divisor
+/// is never 0.
 const fn quotient(cells: u16, room: u16) -> u16 {
     match cells.checked_div(room) {
         Some(quotient) => quotient,

@@ -80,7 +80,7 @@ impl Trail {
     }
 }
 
-/// A level that records the path of a mover, and otherwise answers as the level does.
+/// Another level, which also records the path of a mover. It answers as that level does.
 pub(crate) struct Traced<'w, W> {
     world: &'w W,
     trail: Cell<Trail>,

@@ -44,8 +44,8 @@ impl From<Inside> for RayRules {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[doc(alias = "RaycastHit")]
 pub struct RayHit {
-    /// The fraction of the motion at the hit, 0 to 1, rounded down to a multiple of 2^-30. This is
-    /// exact for straight faces and for the ends of arcs.
+    /// The fraction of the motion at the hit, 0 to 1. On straight faces and at the ends of arcs it
+    /// is the exact one, rounded down to a multiple of 2^-30.
     ///
     /// Within an arc it is a lower bound. It is early by less than one raw unit of travel for
     /// motions up to 4096 units, and by less than four for any.

@@ -33,7 +33,7 @@ impl<'a> SegmentMap<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`SegmentMapError`] says which point of which path is wrong, or that there are too many.
+    /// [`SegmentMapError`] says which point of which path is wrong, or which limit is exceeded.
     pub const fn measure(paths: &[Path<'_>], cell: Fx) -> Result<Size, SegmentMapError> {
         match path::bounds(paths) {
             Ok((lo, hi)) => match path::grid(lo, hi, cell) {

@@ -44,7 +44,7 @@ use crate::num::{Axis, Fx, Raw, Vec2};
 
 /// A level of polygons, walls and one-way chains: a view of bytes that have been checked once.
 ///
-/// You can make one by three functions. The macro [`segment_map!`](crate::segment_map) builds it
+/// You can make one in three ways. The macro [`segment_map!`](crate::segment_map) builds it
 /// from [`Path`]s at compile time. [`build_into`](Self::build_into) builds it at run time in memory
 /// that you lend. [`from_bytes`](Self::from_bytes) reads a file that was built before, without a
 /// copy. All three give the same bytes. The map itself owns no data.

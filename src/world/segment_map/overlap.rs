@@ -262,8 +262,8 @@ impl SegmentMap<'_> {
     /// of or above the other.
     ///
     /// The boundary cuts the line into pieces, each of which is in the inside if both sides are
-    /// solid. The test uses a frame in which the line leads right, just after its start and after
-    /// each crossing. Cost: the square of the segments that cross it.
+    /// solid. The test looks just after the start and after each crossing, in a frame in which the
+    /// line leads right. Cost: the square of the segments that cross it.
     fn piece_inside(&self, x: i32, y: i32, p: Raw, q: Raw) -> bool {
         let upright = p.x == q.x;
         let frame = WayFrame {

@@ -205,8 +205,8 @@ enum Drive {
 }
 
 impl Drive {
-    /// Maps corners to sides of equal lengths, which a turned shape has. If there are several
-    /// choices, it takes the least turn, in which the sides agree best.
+    /// Maps each side to one of equal length, if all have one, as in a turned shape. Of several
+    /// choices it takes the least turn, in which the sides agree best.
     fn of_turn(p: Core<'_>, q: Core<'_>) -> Self {
         let side = |core: Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
         // A turn rounds corners: lengths differ by 8 raw at most, and their squares by 16 lengths.

@@ -171,7 +171,8 @@ impl SolidRayHits<'_> {
         before || behind
     }
 
-    /// The hit of a start inside: that of the box that holds it, or of those that meet there.
+    /// The hit of a start inside: that of the box that holds it, or of those that meet there if
+    /// none holds it alone.
     fn at_start(&self) -> Option<RayHit> {
         if quadrants(self.all.list(), self.o) != 0xf {
             return None;

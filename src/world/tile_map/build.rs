@@ -13,9 +13,10 @@ const CELL: Fx = Fx::from_bits(16 << 16);
 impl<'a> TileMap<'a, Blocks, Bytes> {
     /// A map of blocks from bytes, row after row, in cells of 16 units.
     ///
-    /// The data may be longer than the map, for [`with_stride`](Self::with_stride). Maps of more
-    /// than 511 cells per side do not fit the domain with cells of 16 units. For these, use
-    /// [`on_grid`](Self::on_grid). For slopes and arcs, use [`of_bytes`](Self::of_bytes).
+    /// Each byte is the id of a tile. The data may be longer than the map, for
+    /// [`with_stride`](Self::with_stride). Maps of more than 511 cells per side do not fit the
+    /// domain with cells of 16 units. For these, use [`on_grid`](Self::on_grid). For slopes and
+    /// arcs, use [`of_bytes`](Self::of_bytes).
     ///
     /// # Errors
     /// [`TileMapError`] if there are no cells, too many, or not enough data, or if a shape is not
@@ -36,7 +37,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
 
     /// A map of blocks from bytes, row after row, on a grid.
     ///
-    /// For slopes and arcs, use [`of`](TileMap::of).
+    /// Each byte is the id of a tile. For slopes and arcs, use [`of`](TileMap::of).
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -76,6 +77,8 @@ impl<'a> TileMap<'a, Blocks, Bits> {
 impl<'a, S: ShapeSet> TileMap<'a, S, Bytes> {
     /// A map of any [`ShapeSet`] of shapes from bytes, row after row, on a grid.
     ///
+    /// Each byte is the id of a tile.
+    ///
     /// ```
     /// use tilesat::{AllShapes, Circle, Fx, Grid, Slopes, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2};
     /// static KINDS: TileKinds = TileKinds::EMPTY
@@ -83,7 +86,7 @@ impl<'a, S: ShapeSet> TileMap<'a, S, Bytes> {
     ///     .with(b'(', TileKind::of(TileShape::ConcaveBottomLeft));
     /// let grid = Grid::new(2, 1, Fx::from_num(16), Vec2::ZERO)?;
     /// let map = TileMap::<AllShapes>::of(b"/(", grid, &KINDS)?;
-    /// // The slope is 45 degrees: a ball of radius 7 reaches it from five units in front of its middle.
+    /// // The slope is 45 degrees, some 7.07 units from (3, 3): a ball of radius 7 does not reach it.
     /// let ball = Circle::new(Vec2::from_ints(3, 3), Fx::from_num(7)).unwrap();
     /// assert!(!map.overlaps(&ball) && !map.touches(&ball));
     /// // A set without the shape refuses it.

@@ -11,7 +11,7 @@ const FAR: i32 = 1 << 27;
 /// Whether no body in a region has a point in the inside of a tile's solid: none that fills its
 /// bounds, and no disc of radius `r`.
 ///
-/// It may be false although no body has such a point, but is never true otherwise. The inside of
+/// It may be false although no body has such a point. It is true only if none has. The inside of
 /// the region meets that of the tile's square.
 ///
 /// In the frame of the solid corner (see [`Form`](super::outline::Form)) `u` and `v` are the

@@ -74,7 +74,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
         false
     }
 
-    /// The same of a range in the map.
+    /// [`any_full`](Self::any_full) for a range in the map.
     #[inline(always)]
     pub(super) fn any_full_square(&self, range: Range, test: impl Fn((Raw, Raw)) -> bool) -> bool {
         let is_square = !matches!(self.outside, Outside::Edge);

@@ -294,8 +294,8 @@ pub(in crate::world) const fn merged(index: i32, count: u16) -> i32 {
 /// Which shapes a [`TileMap`](crate::world::TileMap) can hold. A level of blocks links no code for
 /// other shapes.
 ///
-/// Sealed; the markers are types such as [`Blocks`]. Constructors refuse a table with a shape of
-/// another set.
+/// Sealed; the markers are types such as [`Blocks`]. Constructors refuse a table with a shape
+/// that is not in the set.
 pub trait ShapeSet: Sealed + Copy + Debug + Eq + 'static {
     /// One bit for each discriminant of [`TileShape`] that is allowed.
     const SHAPES: u64;

@@ -13,7 +13,8 @@ pub(super) const AREA: i32 = 1 << AREA_LOG;
 
 impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// The number of words that [`fill_occupancy`](Self::fill_occupancy) needs. Each row takes one
-    /// for every 32 columns, and each 32 rows take one for every 1024 columns, rounded up.
+    /// for every 32 columns, and every 32 rows take one for every 1024 columns. Each of these
+    /// counts is rounded up.
     #[must_use]
     pub const fn occupancy_words(&self) -> usize {
         self.tile_words().wrapping_add((self.words_an_area_row() * self.area_rows()) as usize)

@@ -95,8 +95,8 @@ pub(in crate::world) struct Outline {
     /// Bits 2k and 2k + 1: whether the first and the second half of side k, as the side runs, bound
     /// the solid.
     pub(in crate::world) edges: u8,
-    /// The bits of the tile across: which halves of its side k this tile covers, from the other
-    /// side and in the opposite direction.
+    /// The same bits for the tile across: which halves of its side k this tile covers, from the
+    /// other side and in the opposite direction.
     pub(in crate::world) covers: u8,
     /// The inner piece: its first node, and its last one in the high nibble.
     ends: u8,

@@ -1,5 +1,5 @@
-//! Which tiles lie in a region, and which flags a shape touches. Tiles count whether they are solid
-//! or not, as coins, ladders and spikes.
+//! Which tiles lie in a region, and which flags a shape touches: for coins, ladders and spikes. All
+//! tiles count, solid or not.
 
 use super::{ShapeSet, Store, TileMap};
 use crate::error::{RangeError, Truncated};

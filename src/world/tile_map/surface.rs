@@ -39,7 +39,7 @@ impl CellQuery {
     }
 
     /// Whether an arc opposes the motion: one of the normals at its ends does, since all others are
-    /// between these.
+    /// between these. It is true for anything that is not an arc.
     pub(super) const fn opposes_arc(&self, arc: &Geometry) -> bool {
         let Geometry::Arc { quadrant, convex, .. } = *arc else { return true };
         let out = if convex { quadrant } else { quadrant.reversed() };
@@ -72,7 +72,7 @@ pub trait TileSource {
     /// The corners of a cell with the band that it stands for.
     fn extent(&self, x: i32, y: i32) -> (Raw, Raw);
 
-    /// The same of a cell of this kind.
+    /// The corners of a cell that a walk has found, as [`extent`](Self::extent) has them.
     fn corners(&self, block: &Block) -> (Raw, Raw);
 }
 
