@@ -14,8 +14,8 @@ pub struct Input {
     /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
     /// Whether to drop through one-way floors in this frame. One frame is enough for the floor on
-    /// which the character stands. While it stays true, the character passes all floors that
-    /// follow. On a one-way floor it wins over `jump`.
+    /// which the character stands. While `drop` stays true, the character passes all one-way floors
+    /// that follow. On a one-way floor, `drop` wins over `jump`.
     ///
     /// After one frame of `drop` on a one-way solid, the character keeps passing it. This ends when
     /// its feet are below by [`Feel::snap`] plus the solid's downward motion. Until then the

@@ -29,8 +29,8 @@ use core::num::NonZeroU8;
 pub struct SceneBody<S = Shape> {
     /// Its shape and position.
     pub shape: S,
-    /// The velocity in units per step. A body without a mass does not move by it, but carries
-    /// others, as a conveyor does.
+    /// The velocity in units per step. A body without a mass does not move by it, but it acts on
+    /// others, as on a conveyor.
     pub velocity: Vec2,
     /// The mass in any unit that all bodies share. `None` is a wall, a platform or a trigger, which
     /// no step moves.
