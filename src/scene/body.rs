@@ -55,7 +55,7 @@ pub struct SceneBody<S = Shape> {
     /// Whether it meets others [on its whole path](super#fast-bodies), however slow it is. Set it
     /// for a crusher among small things, or a hero. Without it, bodies that press against others in
     /// every step sink in. A body that moves by more than half of its smaller side in a step is
-    /// always fast. It is [expensive](super#fast-bodies) for a crowd.
+    /// always fast. Fast bodies are [expensive](super#fast-bodies) in a crowd.
     pub fast: bool,
 }
 
