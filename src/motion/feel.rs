@@ -95,7 +95,8 @@ pub struct Feel {
     /// The velocity gained per frame. A positive value pulls toward larger y, as on a screen. A
     /// negative one pulls toward smaller y, and "up" follows.
     pub gravity: Fx,
-    /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid.
+    /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid,
+    /// with [`OnLeave::Keep`].
     #[doc(alias("terminal_velocity", "max_fall_speed"))]
     pub fall: Fx,
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /
