@@ -269,7 +269,7 @@ pub(super) mod kernel {
         /// Whether it is within a distance of a segment. For a box, which is not rounded, the
         /// distance is along x and y.
         fn is_within(&self, a: Raw, b: Raw, reach: i32) -> bool;
-        /// The same for segments along x or y, and points.
+        /// [`is_within`](Self::is_within) for segments along x or y, and for points.
         fn is_within_straight(&self, a: Raw, b: Raw, reach: i32) -> bool {
             self.is_within(a, b, reach)
         }

@@ -47,7 +47,7 @@ pub struct Character<B = Aabb> {
     ///
     /// On a moving solid, the velocity is relative to the solid. When the character leaves the
     /// solid (by a jump, a drop, a launch, or over its edge), the solid's motion is added.
-    /// [`Feel::on_leave`] says how long it is kept.
+    /// [`Feel::on_leave`] says how it is used.
     pub velocity: Vec2,
     /// How it moves.
     pub feel: Feel,

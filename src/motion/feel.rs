@@ -14,8 +14,8 @@ pub struct Input {
     /// Whether the jump button is down. The character detects presses and releases itself.
     pub jump: bool,
     /// Whether to drop through one-way floors in this frame. One frame is enough for the floor on
-    /// which the character stands. While it stays true, the character passes all floors that
-    /// follow. On a one-way floor it wins over `jump`.
+    /// which the character stands. While `drop` stays true, the character passes all one-way floors
+    /// that follow. On a one-way floor, `drop` wins over `jump`.
     ///
     /// After one frame of `drop` on a one-way solid, the character keeps passing it. This ends when
     /// its feet are below by [`Feel::snap`] plus the solid's downward motion. Until then the
@@ -95,7 +95,8 @@ pub struct Feel {
     /// The velocity gained per frame. A positive value pulls toward larger y, as on a screen. A
     /// negative one pulls toward smaller y, and "up" follows.
     pub gravity: Fx,
-    /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid.
+    /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid,
+    /// with [`OnLeave::Keep`].
     #[doc(alias("terminal_velocity", "max_fall_speed"))]
     pub fall: Fx,
     /// The speed at which a jump starts. With a gravity of g, a jump of n g rises by g n (n + 1) /

@@ -1,5 +1,5 @@
-//! The rest of a motion that meets one face, or one corner, and then nothing: of most that meet
-//! anything. It is what [`follow`](Mover::follow) makes of them in two turns, without their work.
+//! Motions that meet one face, or one corner, and then nothing, as most that meet anything. The
+//! result is that of [`follow`](Mover::follow), which takes two rounds and more work.
 
 use super::body::{Body, Entry, is_by_lines};
 use super::mover::Mover;
@@ -10,7 +10,7 @@ use super::search::{Around, holds_one, hull, piece_of};
 use crate::num::{Raw, Toi, mul_div, umul};
 use crate::world::{Feature, Fill, World};
 
-/// A way up to its only hit, the rest of it, and the velocity there.
+/// A motion up to its only hit, the motion after it, and the velocity after it.
 pub(super) struct OnlyHit {
     pub(super) toi: Toi,
     pub(super) made: Raw,
@@ -19,8 +19,8 @@ pub(super) struct OnlyHit {
 }
 
 impl<S: Law> Mover<S> {
-    /// The way of a body whose first hit this is, if it is known to meet nothing after it. A body
-    /// that needs tests on its way (`known` is `None`) may only stay where it is.
+    /// The motion of a body whose first hit this is, if it is known to meet nothing afterwards. A
+    /// body that needs tests on its way (`known` is `None`) may only stay where it is.
     #[inline]
     pub(super) fn only_hit<W: World, B: Body>(
         &self,
@@ -58,7 +58,7 @@ impl<S: Law> Mover<S> {
 
     /// A face along x or y takes one component of the motion and leaves the other as it is, unless
     /// there is friction. If the rest leads through a region that is known to be empty, no surface
-    /// near plays a part.
+    /// nearby matters.
     #[inline]
     fn along_face<W: World, B: Body>(
         &self,
@@ -130,7 +130,8 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// The time after a hit: `toi` is what led up to it, rounded down, and this is rounded down too.
+/// The time after a hit: `toi` is the time before it, rounded down. The result is rounded down,
+/// too.
 fn after(toi: Toi, entry: &Entry) -> Toi {
     let part = u32::from(umul(toi.raw(), entry.den) != umul(Toi::ONE.raw(), entry.num));
     Toi::clamped(Toi::ONE.raw().wrapping_sub(toi.raw()).wrapping_sub(part))

@@ -20,12 +20,12 @@ pub(super) struct Plan {
     pub(super) walks: bool,
 }
 
-/// The speeds of a frame, as seen from the solid that the character left.
+/// The speeds of a frame, relative to the solid that the character left.
 struct Speeds {
     run: Fx,
     /// Downward.
     fall: Fx,
-    /// The same as seen from the level.
+    /// Downward, relative to the level.
     falls: Fx,
 }
 
@@ -117,8 +117,8 @@ impl<B: Body> Character<B> {
     /// Counts how far it still falls through one-way floors.
     ///
     /// A solid that sinks moves below the feet first, before the body falls. The drop is over once
-    /// the body is farther below than the solid sinks in a frame. It sinks by at most the snap; the
-    /// rest is for a solid that speeds up.
+    /// the body is farther below the solid than that sinks in a frame. It sinks by at most the
+    /// snap; the rest is for a solid that speeds up.
     fn count_drop(&mut self, drops: bool, carry: Vec2, fall: Fx) {
         if drops && self.ridden().is_some() {
             let sinks = self.downward(carry.y).max(Fx::ZERO);
@@ -131,7 +131,7 @@ impl<B: Body> Character<B> {
 /// The part of a velocity in the air that solids have already made.
 ///
 /// A push along the velocity has already made a part of this frame's motion. So has the solid that
-/// the character left, if it comes under its feet in the frame of the landing.
+/// the character left, if that solid moves under the feet in the frame of the landing.
 fn already_made(velocity: Vec2, base: Vec2, carry: Vec2) -> Vec2 {
     let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
     Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y))

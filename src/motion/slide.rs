@@ -259,8 +259,8 @@ fn hold(u: Raw, n: Axis, m: Axis) -> bool {
 impl<B: Body> Run<'_, B> {
     /// After a hop, at the next hit: `normal` is that of the hit, if the body still touches the
     /// surface from which it hopped. If both together hold the velocity of the call, the body meets
-    /// both with it, as a body that lay on the first. Otherwise each call would throw it up from
-    /// the second, and gravity would pull it back: it would hop on the spot for ever.
+    /// both with it, as a body does that lay on the first. Otherwise each call would throw it up
+    /// from the second, and gravity would pull it back: it would hop on the spot for ever.
     fn end_hop(&mut self, normal: Option<Axis>) {
         let hopped = self.hopped.take().zip(self.along.filter(|plane| plane.bend == Bend::Convex));
         let Some(((u, plane), normal)) = hopped.zip(normal) else { return };

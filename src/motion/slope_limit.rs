@@ -47,7 +47,8 @@ impl SlopeLimit {
         }
     }
 
-    /// The same by the parts of the normal along up and across it, both as long as up.
+    /// [`side`](Self::side) by the parts of the normal along "up" and across it, both in the same
+    /// scale.
     fn of_parts(self, along: i64, across: i64) -> SurfaceRole {
         let (a, c) = (along.unsigned_abs(), across.unsigned_abs());
         // 45 degrees, the default, need no product.

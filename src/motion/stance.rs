@@ -18,8 +18,8 @@ impl<B> Character<B> {
         self.floor.is_some()
     }
 
-    /// The key of the solid that it stands on. `None` if the character stands on a solid and on
-    /// other floor at the same height. The solid may still carry it.
+    /// The key of the solid that it stands on. Also `None` if the character stands on a solid and
+    /// on other floor at the same height. The solid may still carry it.
     #[must_use]
     pub const fn ridden(&self) -> Option<u16> {
         match self.floor {

@@ -29,8 +29,8 @@ use core::num::NonZeroU8;
 pub struct SceneBody<S = Shape> {
     /// Its shape and position.
     pub shape: S,
-    /// The velocity in units per step. A body without a mass does not move by it, but carries
-    /// others, as a conveyor does.
+    /// The velocity in units per step. A body without a mass does not move by it, but it acts on
+    /// others, as on a conveyor.
     pub velocity: Vec2,
     /// The mass in any unit that all bodies share. `None` is a wall, a platform or a trigger, which
     /// no step moves.
@@ -55,7 +55,7 @@ pub struct SceneBody<S = Shape> {
     /// Whether it meets others [on its whole path](super#fast-bodies), however slow it is. Set it
     /// for a crusher among small things, or a hero. Without it, bodies that press against others in
     /// every step sink in. A body that moves by more than half of its smaller side in a step is
-    /// always fast. It is [expensive](super#fast-bodies) for a crowd.
+    /// always fast. Fast bodies are [expensive](super#fast-bodies) in a crowd.
     pub fast: bool,
 }
 

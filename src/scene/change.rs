@@ -22,7 +22,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
     /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
     /// let (near, far) = (scene.insert(&SceneBody::new(at(10)?, 1))?, scene.insert(&SceneBody::new(at(90)?, 2))?);
-    /// // An explosion at (0, 0) with a radius of 40 units.
+    /// // An explosion at (0, 0) that reaches 40 units along x and y.
     /// let mut hit = heapless::Vec::<_, 8>::new();
     /// let region = Aabb::new(Vec2::from_ints(-40, -40), Vec2::from_ints(40, 40))?;
     /// scene.near().in_region(&region, |handle| hit.push(handle).expect("as many places as bodies"));

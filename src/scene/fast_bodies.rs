@@ -157,9 +157,9 @@ where
         })
     }
 
-    /// Finds the ends of the ways of the bodies that have turned, and of those that depend on them;
-    /// at the start of the step, of all. All look again if one is held, because some may have seen
-    /// it move.
+    /// Finds the ends of the ways of the bodies in the slots `turned`, and of those that depend on
+    /// them. With `None`, at the start of the step, it finds all ends. All look again if one is
+    /// held, because some may have seen it move.
     #[inline(never)]
     fn look_again(&mut self, mut turned: Option<[u16; 2]>) {
         loop {
@@ -316,7 +316,7 @@ where
         add_to_awake(self.slots, self.room, &mut self.woken, met.pair.b);
     }
 
-    /// Takes over how a body goes on.
+    /// Stores the velocity, the way and the support of a body after a meeting.
     fn commit(&mut self, at: Handle, from: &Slot<S>) {
         let Some(slot) = self.slots.get_mut(at.slot()) else { return };
         // A body that has already moved in this step does not fall asleep at its end.

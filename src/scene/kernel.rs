@@ -13,7 +13,7 @@ use core::fmt::Debug;
 /// It is a parameter of [`Scene`](crate::Scene) and [`SceneBody`](super::SceneBody), as the set of
 /// tile shapes is one of [`TileMap`](crate::TileMap). So a scene of boxes and circles links no code
 /// for capsules. `AnyShape` adds oriented boxes, polygons and slanted capsules. Each pair then
-/// costs as much as two polygons. Bodies do not turn.
+/// costs as much as a pair of polygons. Bodies do not turn.
 ///
 /// ```
 /// use tilesat::broad::SortSweep;

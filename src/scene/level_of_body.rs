@@ -70,7 +70,7 @@ impl<'l, W: World, S, F: Fn(&SceneBody<S>) -> &'l W> View<S> for EachLevel<'l, W
     }
 }
 
-/// [`Each`], and a closure that receives each path.
+/// [`EachLevel`], and a closure that receives each path.
 pub(super) struct EachLevelTraced<'l, W, F, T> {
     levels: EachLevel<'l, W, F>,
     /// `None` while the closure runs.

@@ -113,8 +113,8 @@ impl<S: BodyShape> Slot<S> {
         self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
     }
 
-    /// The box around the rest of its way. In a crowd it touches the boxes of a few others, and a
-    /// cast costs ten times as much.
+    /// The box around the rest of its way. It is tested before a cast, which costs ten times as
+    /// much: in a crowd it touches the boxes of only a few others.
     pub(super) fn passed(&self) -> Aabb {
         let start = self.body.shape.aabb();
         start.union(&self.body.shape.shifted(self.way.left(self.way.since)).aabb())

@@ -80,7 +80,7 @@
 //!   if two free bodies meet and no third. In a crowd each meeting may change both by less than a
 //!   raw unit of velocity. Energy gained from gravity and from pushes is not counted.
 //! - **Piles stand**: a body that lies on the level, or on bodies that do, is not pushed down by
-//!   those on top of it; its momentum goes into the ground. Support reaches a whole pile within a
+//!   those on top of it. The momentum goes into the ground. Support reaches a whole pile within a
 //!   step. Velocities are relative to the carrier: a pile on a lift that moves evenly behaves as at
 //!   rest, bit for bit. Boxes of a column keep their order and do not sink into each other. Balls
 //!   that lie askew overlap by a raw unit.
@@ -123,7 +123,7 @@
 //! A fast body with no body in reach is moved like all others; that costs one region query.
 //! Otherwise each event takes a few casts through the level and region queries, and tests the boxes
 //! of all fast bodies. In a crowd that presses together, the cost grows faster than the square of
-//! the number of fast bodies: flag bullets, crushers and the hero, not a crowd.
+//! the number of fast bodies. So flag bullets, crushers and the hero, not a crowd.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
@@ -147,7 +147,7 @@
 //!
 //! # Cost
 //!
-//! The mover takes most of a step. [`Scene`] has instructions, flash and stack, and says what a
+//! The mover takes most of a step. [`Scene`] lists instructions, flash and stack, and shows what a
 //! scene that [remembers](Scene::remembering) saves.
 //!
 //! # Games in a scene
@@ -196,7 +196,7 @@
 //! **A hero**: to put a hero that a [`Walker`](crate::Walker) moves into a scene, insert a body
 //! that [floats](SceneBody::floats), with a mass and zero velocity. In each frame, walk the hero
 //! through the level, `place` its body, call `step`, and continue from the position to which the
-//! scene pushed it. The level never overlaps that position. The body meets triggers, and pushes
+//! scene pushed it. The body never overlaps the level there. The body meets triggers, and pushes
 //! crates into which it walks. A hit changes its velocity in the scene: add that to the walker's or
 //! not, and set it to zero. Do not use a `fixed` body: nothing pushes it, and it does not meet
 //! other fixed bodies. The walker does not know that it stands on a crate, but

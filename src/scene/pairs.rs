@@ -42,7 +42,7 @@ pub(super) fn collect_effects<S: BodyShape>(
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
     let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), gravity);
-    // Other bodies push the two lying bodies back that a push parts. Pushing by the whole overlap
+    // If a push parts two lying bodies, other bodies push them back. Pushing by the whole overlap
     // would never end.
     let gently =
         a.support != ALOFT && b.support != ALOFT && meeting.moves_a && meeting.moves_b && !meeting.lands(gravity);

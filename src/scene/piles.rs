@@ -154,7 +154,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         any
     }
 
-    /// Pushes a body that has moved out of its carriers.
+    /// Pushes a body out of its carriers after its motion.
     #[inline(never)]
     fn leave_carriers(
         &mut self,
@@ -254,8 +254,8 @@ impl<S: BodyShape> Slot<S> {
         (self.quiet, self.tally.drift)
     }
 
-    /// The values of [`rest`](Self::rest) before its motion in this step. Its rest ended if it has
-    /// none now.
+    /// The values of [`quiet_and_drift`](Self::quiet_and_drift) before its motion in this step. Its
+    /// rest ended if it has none now.
     fn quiet_before(&self, by: Vec2) -> (u8, Drift) {
         let counted = u8::from(self.tally.under != FLIES);
         if self.quiet == 0 { (0, Drift::NONE) } else { (self.quiet - counted, self.tally.drift.minus(by)) }

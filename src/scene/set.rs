@@ -81,7 +81,7 @@ impl SleepDifference {
 /// is the number of places, 0 by default.
 ///
 /// Costs on a Cortex-M0 with a `SortSweep`. Flash and stack are at opt-level "s". Instructions are
-/// at 3, per step of 64 boxes and circles among tiles of all shapes.
+/// at opt-level 3, per step of 64 boxes and circles among tiles of all shapes.
 ///
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
@@ -139,15 +139,15 @@ impl<const N: usize> SortSweepScene<N> {
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, S: BodyShape> Scene<B, N, 0, S> {
-    /// A scene without bodies, on an empty broad phase. It may be a `static`. With a
-    /// [`SortSweep`](crate::broad::SortSweep) or a [`BruteForce`](crate::broad::BruteForce) that
-    /// takes no flash, because all its bits are zero.
+    /// A scene without bodies, on an empty broad phase. It may be a `static`. This takes no flash
+    /// with a [`SortSweep`](crate::broad::SortSweep) or a [`BruteForce`](crate::broad::BruteForce),
+    /// because all its bits are zero.
     #[must_use]
     pub const fn new(near: B) -> Self {
         Self::with_sleep(near, Sleep::DEFAULT)
     }
 
-    /// Sets when bodies fall asleep.
+    /// Like [`new`](Self::new), with other conditions for sleep.
     ///
     /// ```
     /// use tilesat::broad::{Keyed, SortSweep};

@@ -29,7 +29,7 @@ fn settle_on<S: BodyShape>(slots: &[Slot<S>], upper: &mut Slot<S>, lower: &Slot<
     upper.lie_on(slots, lower, at);
 }
 
-/// Two bodies that meet, as they go on. Each step of it changes both.
+/// Two bodies that meet, and how each continues. The methods change both.
 pub(super) struct TwoWays<'m, S> {
     met: &'m Encounter,
     pub(super) one: Slot<S>,
@@ -164,7 +164,7 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
         }
     }
 
-    /// Which of them may be led elsewhere.
+    /// Whether each of them may be led elsewhere.
     fn goes(&self) -> (bool, bool) {
         (self.one.way.goes(), self.other.way.goes())
     }

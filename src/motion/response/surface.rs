@@ -61,8 +61,8 @@ impl Surface {
     ///
     /// A call that bounces applies its whole gravity `g`, whenever in the call the bounce is. A
     /// bounce faster than `g / (1 - restitution)` still loses energy. A slower bounce may regain as
-    /// much as it loses, and bounce for ever. With at least that speed here, a ball that bounces
-    /// lower and lower stops: with twice the gravity, at restitution one half.
+    /// much as it loses, and the body then bounces for ever. If at least that speed is set here, a
+    /// ball that bounces lower and lower stops. At restitution one half, that is twice the gravity.
     #[must_use]
     pub const fn resting_below(self, normal_speed: Fx) -> Self {
         let raw = normal_speed.to_bits();

@@ -24,8 +24,8 @@ impl Clearance {
     pub(super) const ALL: Self =
         Self { lo: Raw { x: -Self::FAR, y: -Self::FAR }, hi: Raw { x: Self::FAR, y: Self::FAR } };
 
-    /// Adds the bound of a solid's face with the outward normal `n`: the body may touch the face at
-    /// its end, and move no nearer.
+    /// Adds the bound of a solid's face with the outward normal `n`. At the end of the motion the
+    /// body may touch the face, and be no nearer.
     pub(super) fn behind<B: Body>(&mut self, body: &B, solid: &Solid, n: Axis) {
         let (lo, hi, motion, bounds) = (solid.lo(), solid.hi(), Raw::of(solid.motion()), body.bounds());
         // From the body's side to the solid's opposite one at its new position.

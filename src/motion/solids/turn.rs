@@ -57,14 +57,14 @@ impl<'a, S: SolidShape> Turn<'a, S> {
         Raw { x: sum.x / 4, y: sum.y / 4 }
     }
 
-    /// The bound of a turn, if the body does not keep clear of it by `d`: the body stays in front
-    /// of the separation between the two.
+    /// The bound of a turn, if the body does not keep clear of it by `d`. The body stays in front
+    /// of the face or corner that was between the two.
     ///
-    /// That is a face of the solid, which moves with its corners, or a direction in which a corner
-    /// of the solid is first. Such a direction is along x or y, into a side of the body, or between
-    /// the points that are nearest to each other. Before the turn the last one or a face leaves
-    /// most room, so there always is a separation. None counts if another one is still between them
-    /// at the end.
+    /// This separation is a face of the solid, which moves with its corners, or a direction in
+    /// which a corner of the solid is first. Such a direction is along x or y, into a side of the
+    /// body, or between the points that are nearest to each other. Before the turn the last one or
+    /// a face leaves most room, so there always is a separation. None counts if another one is
+    /// still between them at the end.
     pub(super) fn held<B: Body>(&self, body: &B, d: Raw) -> Option<(Feature, HalfPlane, Press)> {
         let (p, q) = self.cores();
         let mut best: Option<TurnFront> = None;

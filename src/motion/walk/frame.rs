@@ -23,8 +23,9 @@ pub struct Walked<B> {
     pub moved: Moved<B>,
     /// The floor that it stands on. Pass it to the next call.
     pub floor: Option<Support>,
-    /// Whether it met a floor in this frame. If [`floor`](Self::floor) is `None`, it has left that
-    /// floor again: for example, it landed on the edge of a platform and slid off.
+    /// Whether it walked on a floor or landed on one in this frame. If [`floor`](Self::floor) is
+    /// `None`, it has left that floor again: for example, it landed on the edge of a platform and
+    /// slid off.
     pub met_floor: bool,
     /// How far it rose on steps, in units.
     pub stepped: Fx,

@@ -107,9 +107,9 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
     /// The floor that carries the body on this ground.
     ///
     /// A circle, or a polygon on a narrow foot, comes down to the edge of a step before it is over
-    /// the step, or while it is still beyond. Such a step is not complete. The body stands if the
-    /// same motion down ends on level floor when it starts farther ahead, by the part of the body
-    /// in front of its foot.
+    /// the step, or while it is still beyond. Such a step is not complete. The same motion down is
+    /// then tested from farther ahead, by the part of the body in front of its foot. The body
+    /// stands if that ends on floor.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {
         self.walker.mover.support(ground).or_else(|| self.beyond(ground, Raw::ZERO))
     }

@@ -36,7 +36,7 @@ pub(super) struct Stride<'a, 'm, W, B> {
     lands: bool,
 }
 
-/// The floor at the end of a frame, and the heights of its steps.
+/// The floor at the end of a frame, and how far the body was raised by steps and pulled down.
 pub(super) struct Footing {
     pub(super) floor: Option<Support>,
     pub(super) met_floor: bool,
