@@ -160,7 +160,7 @@ fn apart(p: Raw, bounds: &Aabb) -> (i32, i32) {
     (gap(p.x, lo.x, hi.x), gap(p.y, lo.y, hi.y))
 }
 
-/// The distance without such a body: beyond all.
+/// The square of the distance of a point from the box of a slot; beyond all if there is no slot.
 fn square_to<T: Tag>(bodies: Bodies<'_, T>, p: Raw, slot: usize) -> u64 {
     let Some(bounds) = bodies.bounds.get(slot) else { return u64::MAX };
     let (x, y) = apart(p, bounds);

@@ -155,7 +155,7 @@ pub struct PairEvents<const M: usize, P = Pair> {
     pub(super) frame: FrameState,
 }
 
-/// The count of the current frame.
+/// The state of the current frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct FrameState {

@@ -4,8 +4,8 @@ use super::Handle;
 use crate::shape::Aabb;
 use core::cell::Cell;
 
-/// Puts the slots in use first, in their current order, and the free ones behind. Returns their
-/// number.
+/// Puts the slots in use first, in their current order, and the free ones behind. Returns how many
+/// are in use.
 pub(in crate::broad) fn compact(order: &mut [u16], generations: &[u16]) -> u16 {
     let order = Cell::from_mut(order).as_slice_of_cells();
     let mut used = 0;

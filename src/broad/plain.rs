@@ -149,7 +149,7 @@ struct EachScan<'a> {
     row: &'a Aabb,
     /// The bodies after the row's.
     rows: Iter<'a, Aabb>,
-    /// The number of bodies against which it has still to be tested.
+    /// The bodies against which the row has still to be tested.
     later: Iter<'a, Aabb>,
 }
 
@@ -372,7 +372,7 @@ struct OrderedScan<'a> {
     other: u16,
     /// The slots after it.
     rows: Iter<'a, u16>,
-    /// The number of bodies against which it has still to be tested.
+    /// The slots against which the row has still to be tested.
     later: Iter<'a, u16>,
 }
 

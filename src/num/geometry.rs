@@ -1,5 +1,5 @@
-//! Vectors as points and directions: distance, unit vector, quarter turn, the way to another point,
-//! and what is done to each component.
+//! Vectors as points and directions: distance, unit vector, quarter turn, interpolation, and
+//! operations on each component.
 
 use super::{Axis, Fx, Ratio, UnitVec2, Vec2, isqrt64, umul, usqr};
 
@@ -100,12 +100,12 @@ impl Vec2 {
         Self { x: self.y.saturating_neg(), y: self.x }
     }
 
-    /// The point at a part of the straight way to `to`, each component rounded toward `self`.
+    /// The point at a part of the straight line to `to`, each component rounded toward `self`.
     ///
-    /// The exact point, or less than a raw unit before it on each axis. [`Ratio::ZERO`] gives
-    /// `self` and [`Ratio::ONE`] gives `to`, any two points, and nothing overflows. Mirrored points
-    /// give mirrored bits, and moved points moved ones. The way back may differ by a raw unit,
-    /// because it rounds to its other end. Cost: two products.
+    /// The exact point, or less than a raw unit before it on each axis. For any two points
+    /// [`Ratio::ZERO`] gives `self` and [`Ratio::ONE`] gives `to`, and nothing overflows. Mirrored
+    /// points give mirrored bits, and moved points moved ones. In the other direction the point may
+    /// differ by a raw unit, because it is rounded toward the other end. Cost: two products.
     ///
     /// ```
     /// use tilesat::{Ratio, Vec2};

@@ -11,10 +11,10 @@
 //! | [`umul`] [`usqr`] [`imul`] [`mul64`] [`sqr64`] | wide products | exact |
 //! | [`isqrt64`] [`mul_div`] [`div_sqrt`] | roots and quotients without division | exact floor |
 //!
-//! A number with one way to be wrong returns an `Option`, which a constant unwraps at compile time:
-//! [`Ratio::new`], [`Toi::from_raw`], [`Vec2::from_f32`],
-//! [`Masses::new`](crate::motion::Masses::new). What has several fields, and every shape and level,
-//! returns an error that names the field.
+//! A constructor that can fail in only one way returns an `Option`, which a constant unwraps at
+//! compile time: [`Ratio::new`], [`Toi::from_raw`], [`Vec2::from_f32`],
+//! [`Masses::new`](crate::motion::Masses::new). Constructors of values with several fields, and of
+//! every shape and level, return an error that names the field.
 //!
 //! "raw" is one unit of the integer lattice: the last bit of an `Fx`, 1/65536 of a unit. The crate
 //! computes with raw integers and never looks at the binary point. So you can pass numbers of

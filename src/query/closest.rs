@@ -179,7 +179,7 @@ macro_rules! closest {
 }
 
 /// A pair of different shapes, in both orders. The points come in the order of the shapes, so
-/// `both_orders` does not do.
+/// `both_orders` is not enough.
 macro_rules! closest_both {
     ($a:ty, $b:ty, |$x:ident, $y:ident| $points:expr) => {
         closest!($a, $b, |$x, $y| $points);

@@ -23,9 +23,9 @@
 //! circles. Each shape has a method `closest_point`, and boxes, circles and segments have
 //! `cast_ray`.
 //!
-//! Every loop has a bound, and there is no division. Only casts can fail: they refuse numbers that
-//! are out of range. A translated scene gives the same bits, and a mirrored one gives mirrored
-//! bits.
+//! Every loop has a bound, and there is no division instruction. Only casts can fail: they refuse
+//! numbers that are out of range. A translated scene gives the same bits, and a mirrored one gives
+//! mirrored bits.
 //!
 //! Mirrored scenes may give other bits in these cases:
 //!

@@ -81,7 +81,7 @@ impl Window {
         At { x: self.x.lo, y: self.y.lo }
     }
 
-    /// How many of `count` cells, less than 2^16, are left without those of a window; `None` if it
+    /// How many of `all` cells, less than 2^16, are left without those of this window; `None` if it
     /// has more.
     pub(in crate::broad) fn cells_of(&self, all: usize) -> Option<u32> {
         let (all, w, h) = (all as u32, self.x.len(), self.y.len());
@@ -90,7 +90,7 @@ impl Window {
 }
 
 impl At {
-    /// Whether another cell is at most `r` cells away along either axis.
+    /// Whether another cell is at most `cells` away along either axis.
     pub(in crate::broad) fn is_within(self, cells: i32, other: Self) -> bool {
         self.x.abs_diff(other.x).max(self.y.abs_diff(other.y)) as i32 <= cells
     }

@@ -244,7 +244,7 @@ macro_rules! casts {
 }
 
 /// A pair of different shapes, in both orders. The second one casts the other way, so `both_orders`
-/// does not do.
+/// is not enough.
 macro_rules! casts_both {
     ($a:ty, $b:ty, $moment:ty, |$x:ident, $y:ident, $d:ident| $course:expr $(, #[$call:meta] $hits:expr $(, $contact:expr)?)?) => {
         casts!($a, $b, $moment, |$x, $y, $d| $course $(, #[$call] $hits $(, $contact)?)?);

@@ -4,8 +4,8 @@
 //! There is one mechanism for all pairs. A shape is a few corners with a radius around them, and a
 //! pair is the sum A + (-B), whose sides [`walk::SideWalk`] merges from theirs. Questions are about
 //! the origin and that polygon. Frequent pairs have shorter tests with the same answers, such as
-//! [`short`] and [`each_side`]. Only pairs with one of these shapes use it: a game of boxes and
-//! circles links none of it.
+//! [`short`] and [`each_side`]. Only pairs with a capsule, an oriented box or a polygon use this
+//! code: a game of boxes and circles links none of it.
 
 mod across;
 mod box_point;
