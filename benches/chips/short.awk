@@ -57,7 +57,8 @@ function most(i, where, range) {
     sub(/.*\.\./, "", range)
     return range
 }
-function kilobytes(i) { return sprintf("%.1f KB", stack(i) / 1024) }
+function kilobytes(bytes) { return sprintf("%.1f KB", bytes / 1024) }
+function larger(a, b) { return a + 0 > b + 0 ? a : b }
 
 NF < 2 { section = ""; next }
 $1 ~ /^\[.*\]/ {
@@ -73,5 +74,5 @@ END {
     for (i = 1; i <= (page == "board" ? shown : lines); i++)
         printf "| %s | %s | %s | %s | %s | %s | %s |\n", say[i], spaced(at(flash_of[i], "M0")), spaced(at(count_of[i], "M0 at s")), spaced(at(count_of[i], "M0")), spaced(most(i)), spaced(stack(i)), i in RAM ? spaced(at("RAM" SUBSEP RAM[i], "M0")) : ""
     if (page == "board")
-        printf "\nA hero takes %s of stack, with lifts %s. A step of a scene takes %s at most.\nLeave 2 KB more for your own code.\n", kilobytes(2), kilobytes(4), kilobytes(5)
+        printf "\nA hero takes %s of stack, with lifts %s. A step of a scene takes %s at most.\nLeave 2 KB more for your own code.\n", kilobytes(stack(2)), kilobytes(stack(4)), kilobytes(larger(stack(5), larger(stack(6), stack(7))))
 }

@@ -166,8 +166,7 @@ impl<'a, S: ShapeSet> Room<'a, S> {
     ///
     /// If no room holds the point, the nearest one is returned (by the sum of the distances along x
     /// and y). So a hero may jump over the top of one room into the next. `None` if that is this
-    /// room. If several rooms hold the point, the first is returned. So call it only once
-    /// [`holds`](Self::holds) is false.
+    /// room. Do not call it while [`holds`](Self::holds) is true: several rooms may hold the point.
     ///
     /// Cost: two products and some comparisons per room of the slice; no division.
     #[must_use]
