@@ -6,7 +6,7 @@ use core::cmp::Ordering;
 /// The part of a full cell's outline that a motion enters. A cell grown by a body is convex, so
 /// there is only one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum EnteredPart {
     /// The side that the motion reaches along x.
     X,
     /// The side that it reaches along y.
@@ -94,24 +94,24 @@ enum Place {
 /// ```
 #[cfg_attr(target_pointer_width = "64", inline(always))]
 #[cfg_attr(not(target_pointer_width = "64"), inline)]
-pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw, Raw)) -> Option<Part> {
+pub(super) fn entered((first, last): (Raw, Raw), r: i32, d: Raw, (lo, hi): (Raw, Raw)) -> Option<EnteredPart> {
     let x = Along::of((first.x, last.x), r, d.x, (lo.x, hi.x))?;
     let y = Along::of((first.y, last.y), r, d.y, (lo.y, hi.y))?;
-    let (round, both) = (r != 0, Part::Corner(x.side, y.side));
-    let beyond_y = Part::Corner(x.side, y.side.wrapping_neg());
-    let beyond_x = Part::Corner(x.side.wrapping_neg(), y.side);
+    let (round, both) = (r != 0, EnteredPart::Corner(x.side, y.side));
+    let beyond_y = EnteredPart::Corner(x.side, y.side.wrapping_neg());
+    let beyond_x = EnteredPart::Corner(x.side.wrapping_neg(), y.side);
     if x.gap >= 0 {
         match y.place(&x, round) {
-            Place::Between => return Some(Part::X),
-            Place::AtNear => return Some(Part::Both),
+            Place::Between => return Some(EnteredPart::X),
+            Place::AtNear => return Some(EnteredPart::Both),
             Place::Beyond => return round.then_some(beyond_y),
             Place::Before => {}
         }
     }
     if y.gap >= 0 {
         return match x.place(&y, round) {
-            Place::Between => Some(Part::Y),
-            Place::AtNear => Some(Part::Both),
+            Place::Between => Some(EnteredPart::Y),
+            Place::AtNear => Some(EnteredPart::Both),
             Place::Beyond => round.then_some(beyond_x),
             Place::Before => round.then_some(both),
         };
@@ -138,7 +138,7 @@ mod tests {
     use super::super::sweep_body::corner;
     use super::super::sweep_face::{Face, sweep_face};
     use super::super::sweep_round::{self, enter_quarter};
-    use super::{Part, entered};
+    use super::{EnteredPart, entered};
     use crate::num::{Axis, Raw};
     use crate::query::cast::crossing::Crossing;
 
@@ -169,15 +169,18 @@ mod tests {
                     let case = (first, last, r, d, part);
                     for along_x in [true, false] {
                         let entry = sweep_face((first, last), r, d, &face(along_x, d));
-                        let mine = if along_x { Part::X } else { Part::Y };
-                        assert_eq!(entry.is_some(), part == Some(mine) || part == Some(Part::Both), "{case:?}");
-                        assert!(entry.is_none_or(|entry| entry.at_end == (part == Some(Part::Both))), "{case:?}");
+                        let mine = if along_x { EnteredPart::X } else { EnteredPart::Y };
+                        assert_eq!(entry.is_some(), part == Some(mine) || part == Some(EnteredPart::Both), "{case:?}");
+                        assert!(
+                            entry.is_none_or(|entry| entry.at_end == (part == Some(EnteredPart::Both))),
+                            "{case:?}"
+                        );
                     }
                     for (x, y) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
                         let side = Axis::new(x, y);
                         let m = corner(last, first, side).sub(corner(LO, HI, side));
                         let entry = enter_quarter(m, r, d, side, false);
-                        if part == Some(Part::Corner(x, y)) {
+                        if part == Some(EnteredPart::Corner(x, y)) {
                             let disc = Crossing::of(m, r, d).and_then(|hit| sweep_round::entry(&hit, m, d));
                             assert_eq!(disc.is_some(), entry.is_some(), "{case:?} {x} {y}");
                         } else {
@@ -185,9 +188,9 @@ mod tests {
                         }
                     }
                     match part {
-                        Some(Part::X | Part::Y) => found[0] += 1,
-                        Some(Part::Both) => found[1] += 1,
-                        Some(Part::Corner(..)) => found[2] += 1,
+                        Some(EnteredPart::X | EnteredPart::Y) => found[0] += 1,
+                        Some(EnteredPart::Both) => found[1] += 1,
+                        Some(EnteredPart::Corner(..)) => found[2] += 1,
                         None => found[3] += 1,
                     }
                 }

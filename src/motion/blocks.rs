@@ -1,7 +1,7 @@
 //! The first hit in a level that is a grid of tiles. It reads full cells straight from the grid,
 //! and makes only the features that a motion reaches.
 
-use super::block_entry::{Part, entered};
+use super::block_entry::{EnteredPart, entered};
 use super::body::{Body, Entry};
 use super::order::First;
 use super::plane::into;
@@ -126,16 +126,16 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
     /// the motion enters them earlier.
     fn meet_full(&mut self, block: &Block) {
         let cell = self.world.corners(block);
-        let part = if self.thin { Some(Part::Both) } else { entered(self.span, self.r, self.d, cell) };
+        let part = if self.thin { Some(EnteredPart::Both) } else { entered(self.span, self.r, self.d, cell) };
         match part {
-            Some(Part::X) => self.meet_face(block, cell, true, false),
-            Some(Part::Y) => self.meet_face(block, cell, false, false),
-            Some(Part::Both) => {
+            Some(EnteredPart::X) => self.meet_face(block, cell, true, false),
+            Some(EnteredPart::Y) => self.meet_face(block, cell, false, false),
+            Some(EnteredPart::Both) => {
                 self.meet_face(block, cell, true, true);
                 self.meet_face(block, cell, false, true);
             }
-            Some(Part::Corner(x, y)) if B::MEETS_CORNERS => self.meet_corner(block, cell, x, y),
-            Some(Part::Corner(..)) | None => {}
+            Some(EnteredPart::Corner(x, y)) if B::MEETS_CORNERS => self.meet_corner(block, cell, x, y),
+            Some(EnteredPart::Corner(..)) | None => {}
         }
     }
 

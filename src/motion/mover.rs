@@ -5,7 +5,7 @@ use super::order::First;
 use super::plane::may_be_askew;
 use super::response::{Bounce, ByFlags, ByHit, Law, Response, Responses, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
-use super::search::{Around, check_cells};
+use super::search::{Around, CELLS, check_cells};
 use super::slope_limit::SlopeLimit;
 use super::{Hit, MoveError, Moved, StartInside, Stuck, Work};
 use crate::num::{Axis, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
@@ -48,7 +48,7 @@ impl Mover {
     /// [pieces](Self::move_and_slide). A motion that visits more cells is refused. The limit is a
     /// square of 512 cells a side, or 4096 units per call for a body of one cell where a cell is a
     /// unit.
-    pub const CELLS: u32 = 1 << 18;
+    pub const CELLS: u32 = CELLS;
 
     /// A mover without an "up", for top-down games: every hit is a wall.
     #[must_use]

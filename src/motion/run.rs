@@ -6,7 +6,7 @@ use super::contact::Plane;
 use super::order::First;
 use super::plane::{into, long, project, way};
 use super::response::Smooth;
-use super::search::{Around, Search, hull};
+use super::search::{Around, Search, hull, margin};
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, LONG, Raw, Toi, mul_div};
@@ -380,10 +380,4 @@ fn part_of(d: Raw, far: u32) -> Raw {
 /// The displacement nearest to another that leads beyond neither end of a motion.
 fn on_the_way(q: Raw, d: Raw) -> Raw {
     Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) }
-}
-
-/// How much bounds without area are grown to have an inside.
-pub(super) fn margin(bounds: &Aabb) -> i32 {
-    let size = Raw::of(bounds.size());
-    i32::from(size.x == 0 || size.y == 0)
 }

@@ -1,11 +1,9 @@
 //! The search for the first hit of a motion: the known parts of the level, the parts to examine,
 //! and their order.
 
-use super::Mover;
 use super::body::{Body, Entry, is_by_lines};
 use super::order::First;
 use super::plane::{into, way};
-use super::run::margin;
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
@@ -135,6 +133,12 @@ pub(super) fn holds_one<W: World>(world: &W, region: &Aabb) -> bool {
 fn is_inside(region: &Aabb) -> bool {
     let (lo, hi) = (region.lo(), region.hi());
     lo.x.min(lo.y) > -DOMAIN && hi.x.max(hi.y) < DOMAIN
+}
+
+/// How much bounds without area are grown to have an inside.
+pub(super) fn margin(bounds: &Aabb) -> i32 {
+    let size = Raw::of(bounds.size());
+    i32::from(size.x == 0 || size.y == 0)
 }
 
 /// The box that the inside of the bounds covers between two displacements, `margin` raw units
@@ -313,7 +317,10 @@ fn piece_length<W: World>(world: &W, bounds: &Aabb) -> u32 {
     length + (length >> 1)
 }
 
-/// Refuses a motion that visits more than [`Mover::CELLS`] cells.
+/// The most cells that a motion visits: [`Mover::CELLS`](crate::Mover::CELLS).
+pub(super) const CELLS: u32 = 1 << 18;
+
+/// Refuses a motion that visits more than [`CELLS`] cells.
 ///
 /// A hull of up to 256 cells a side never does: in one piece it meets at most 258 squared, in
 /// pieces longer than the body fewer.
@@ -330,7 +337,7 @@ fn count_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeEr
     let (side, part) = (Raw::of(bounds.size()), part(d, 1, pieces));
     let along = |side: i32, part: i32| (side as u32).wrapping_add(part.unsigned_abs()).wrapping_add(3);
     let cells = umul(world.most_cells(along(side.x, part.x), along(side.y, part.y)), pieces);
-    if cells <= u64::from(Mover::CELLS) {
+    if cells <= u64::from(CELLS) {
         return Ok(());
     }
     Err(RangeError { what: Quantity::Cells, value: cells.min(i32::MAX as u64) as i32 })

@@ -6,9 +6,10 @@ use super::contact::{Bend, Came, Plane, came, touched};
 use super::order::First;
 use super::plane::{NEAR, across, into, long, may_be_askew, project, reflect, way};
 use super::response::{Law, Smooth};
-use super::run::{Run, check_inside, margin, straightened};
+use super::run::{Run, check_inside, straightened};
+use super::search::margin;
 use super::slope_limit::SurfaceRole;
-use super::ways::{Way, Ways};
+use super::ways::{FreeWay, Ways};
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, mul_div, umul};
 use crate::world::{Feature, World};
@@ -296,10 +297,10 @@ impl<B: Body> Run<'_, B> {
     /// binds those, any free way: the body may be beside the surface that it hit, at its end or by
     /// the rounding of its position. A body without area is beside nothing: it may stand where two
     /// surfaces touch and leave no face.
-    fn choose<'w, W: World>(&self, world: &W, ways: &'w mut Ways, hit: Axis, passes: bool) -> Option<&'w Way> {
+    fn choose<'w, W: World>(&self, world: &W, ways: &'w mut Ways, hit: Axis, passes: bool) -> Option<&'w FreeWay> {
         let body = &self.moved.body;
-        let is_shut = |way: &Way| self.shut.holds(way.probe());
-        let leads_out = |way: &Way| into(way.v, hit) >= 0;
+        let is_shut = |way: &FreeWay| self.shut.holds(way.probe());
+        let leads_out = |way: &FreeWay| into(way.v, hit) >= 0;
         let (thin, leads) = (margin(&body.bounds()) != 0, ways.iter().any(leads_out));
         let out = ways.first_free(world, body, passes, &|way| leads_out(way) && !is_shut(way));
         let free = if out.is_some() || thin {
@@ -318,7 +319,7 @@ impl<B: Body> Run<'_, B> {
     }
 
     /// Takes a way. Returns the velocity at its start.
-    fn follow_way<W: World, S: Law>(&mut self, way: &Way, surface: &S) -> Raw {
+    fn follow_way<W: World, S: Law>(&mut self, way: &FreeWay, surface: &S) -> Raw {
         (self.along, self.tried) = (way.along, way.probe());
         let Some(plane) = way.along else {
             (self.motion, self.v) = (self.turned(way.v), way.v);

@@ -22,7 +22,7 @@ use heapless::Vec;
 /// A way on.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub(super) struct Way {
+pub(super) struct FreeWay {
     /// The plane that it is along; `None` for the velocity itself.
     pub(super) along: Option<Plane>,
     /// The velocity at its start.
@@ -37,7 +37,7 @@ pub(super) struct Way {
     room: u8,
 }
 
-impl Way {
+impl FreeWay {
     const FREE: u8 = u8::MAX;
     const UNKNOWN: u8 = u8::MAX - 1;
     const fn of(along: Option<Plane>, v: Raw, probe: Raw, presses: bool) -> Self {
@@ -146,7 +146,7 @@ fn part(c: i32, entry: &Entry) -> i32 {
 
 /// The ways on from a place, the longest first. An empty list writes none of its 520 bytes.
 pub(super) struct Ways {
-    list: Vec<Way, { Ways::MAX }, u8>,
+    list: Vec<FreeWay, { Ways::MAX }, u8>,
     near: NearFeatures,
 }
 
@@ -216,7 +216,7 @@ impl Ways {
         self.list.clear();
         self.near.features.clear();
         self.near.all = true;
-        self.add(&mut Way::of(None, v, long(v), false), v);
+        self.add(&mut FreeWay::of(None, v, long(v), false), v);
         let mut alone = true;
         each_near(world, body, passes, &mut |feature| {
             let touches = touched::<W, B>(body, feature, &mut |plane| {
@@ -287,11 +287,11 @@ impl Ways {
         if !along.is_zero() && (is_exact || way(along) > NEAR) {
             let n = plane.normal;
             let presses = into(v, n) < 0;
-            self.add(&mut Way::of(Some(plane), along, probe, presses), v);
+            self.add(&mut FreeWay::of(Some(plane), along, probe, presses), v);
         }
     }
 
-    fn add(&mut self, way: &mut Way, of: Raw) {
+    fn add(&mut self, way: &mut FreeWay, of: Raw) {
         for other in &mut self.list {
             if way.goes_before(other, of) {
                 (*other, *way) = (*way, *other);
@@ -303,7 +303,7 @@ impl Ways {
 
     /// Frees all ways: nothing else is near, so nothing binds them.
     pub(super) fn free(&mut self) {
-        self.list.iter_mut().for_each(|way| way.room = Way::FREE);
+        self.list.iter_mut().for_each(|way| way.room = FreeWay::FREE);
     }
 
     /// Finds out how far each way leads.
@@ -316,8 +316,8 @@ impl Ways {
     fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
         let Some(ways) = self.list.get_mut(which) else { return };
         let mut any = false;
-        for way in ways.iter_mut().filter(|way| way.room == Way::UNKNOWN) {
-            (way.room, any) = (Way::FREE, true);
+        for way in ways.iter_mut().filter(|way| way.room == FreeWay::UNKNOWN) {
+            (way.room, any) = (FreeWay::FREE, true);
         }
         if any {
             self.near.each(world, body, passes, &mut |feature| {
@@ -338,7 +338,7 @@ impl Ways {
         world: &W,
         body: &B,
         passes: bool,
-        asked: &dyn Fn(&Way) -> bool,
+        asked: &dyn Fn(&FreeWay) -> bool,
     ) -> Option<usize> {
         if !self.near.all {
             self.settle_all(world, body, passes);
@@ -348,11 +348,11 @@ impl Ways {
                 return false;
             }
             self.settle::<W, B>(world, body, passes, k..k + 1);
-            self.way(k).is_some_and(Way::is_free)
+            self.way(k).is_some_and(FreeWay::is_free)
         })
     }
 
-    pub(super) fn way(&self, k: usize) -> Option<&Way> {
+    pub(super) fn way(&self, k: usize) -> Option<&FreeWay> {
         self.list.get(k)
     }
 
@@ -373,7 +373,7 @@ impl Ways {
         });
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = &Way> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = &FreeWay> {
         self.list.iter()
     }
 
@@ -388,16 +388,16 @@ impl Ways {
 
 #[cfg(test)]
 mod tests {
-    use super::{Plane, Smooth, Way, across, project};
+    use super::{FreeWay, Plane, Smooth, across, project};
     use crate::num::{Axis, Raw};
     use crate::shape::Circle;
     use crate::world::{AllShapes, TileMap};
     use core::cmp::Ordering;
     use tilesat_judge::{Random, cases, enough};
 
-    fn way(v: Raw, n: Axis) -> Way {
+    fn way(v: Raw, n: Axis) -> FreeWay {
         let v = project::<Circle, TileMap<'static, AllShapes>, _>(v, n, &Smooth);
-        Way::of(Some(Plane::flat(n)), v, v, false)
+        FreeWay::of(Some(Plane::flat(n)), v, v, false)
     }
 
     /// Rounded lengths never say the opposite of the exact ones. The second normal is often the

@@ -21,14 +21,6 @@ const LAYERS: [&[&str]; 7] = [
     &["", "format"],
 ];
 
-/// Imports that close a circle, and are left until the search of a motion is rewritten: it takes a
-/// margin and a limit of cells from the two files that use it.
-const LEFT: [(&str, &str); 2] = [("motion::search", "motion::run"), ("motion::search", "motion::mover")];
-
-/// Types that share a name with a public one, and are left until the search of a motion is
-/// rewritten.
-const SHARED: [&str; 3] = ["Part", "Surface", "Way"];
-
 type Module = Vec<String>;
 
 #[derive(Default)]
@@ -209,9 +201,6 @@ fn no_two_types_share_a_name() {
     }
     assert!(found.len() > files.len(), "hardly a type was found");
     found.retain(|_, modules| modules.len() > 1);
-    for name in SHARED {
-        assert!(found.remove(name).is_some(), "take {name} out of the list");
-    }
     assert!(found.is_empty(), "{found:#?}");
 }
 
@@ -242,10 +231,6 @@ fn files_stand_in_layers() {
                 wrong.push(format!("{} imports {}, which is not below it", module.join("::"), to.join("::")));
             }
         }
-    }
-    for (from, to) in LEFT.map(|(from, to)| (split(from), split(to))) {
-        let is_left = imports.get_mut(&from).is_some_and(|found| found.remove(&to));
-        assert!(is_left && reach(&imports, &to).contains(&from), "take {from:?} and {to:?} out of the list");
     }
     for (module, to) in &imports {
         if let Some(to) = to.iter().find(|to| reach(&imports, to).contains(module)) {

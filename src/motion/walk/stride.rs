@@ -8,7 +8,7 @@ use crate::motion::plane::{NEAR, Pipe, across, lies_along, may_be_askew, project
 use crate::motion::response::Smooth;
 use crate::motion::run::{Checkpoint, Run, check_inside};
 use crate::motion::slope_limit::SurfaceRole;
-use crate::motion::ways::{Way, Ways};
+use crate::motion::ways::{FreeWay, Ways};
 use crate::motion::{MoveError, Mover};
 use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};
 use crate::query::cast::moment::ratio;
@@ -265,12 +265,12 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         let (body, passes) = (&self.run.moved.body, self.run.pass_one_way);
         let mut ways = Ways::none();
         ways.read::<W, B>(self.world, body, (self.forward(self.speed), self.run.rest), None, passes);
-        let is_floor = |way: &Way| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);
+        let is_floor = |way: &FreeWay| way.along.is_none_or(|p| self.walker.mover.side(p.normal) == SurfaceRole::Floor);
         if let Some(way) = ways.first_free(self.world, body, passes, &is_floor).and_then(|k| ways.way(k)) {
             return On::Free(way.along.map_or(self.up, |plane| plane.normal));
         }
         ways.settle_all(self.world, body, passes);
-        let mut creeps = ways.iter().filter(|way| is_floor(way) && way.can_creep()).map(Way::probe);
+        let mut creeps = ways.iter().filter(|way| is_floor(way) && way.can_creep()).map(FreeWay::probe);
         On::Creeps([creeps.next(), creeps.next()])
     }
 

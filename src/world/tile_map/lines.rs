@@ -14,7 +14,7 @@ use crate::world::tile_map::kind::TileKind;
 
 /// One surface of sides in a line: the first of its cells, and the flags of all.
 #[derive(Clone, Copy)]
-struct Surface {
+struct LineSurface {
     /// The index of the cell along the line, or [`NOWHERE`].
     index: i32,
     flags: u8,
@@ -25,7 +25,7 @@ struct Surface {
 /// The index of no cell.
 const NOWHERE: i32 = i32::MIN;
 
-impl Surface {
+impl LineSurface {
     const NONE: Self = Self { index: NOWHERE, flags: 0, one_way: true, at_end: false };
 
     /// Solid wins over one-way, and then the smaller index. Cells come by their index.
@@ -135,7 +135,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
             let next = lines.next()?;
             let Lines { x, y, in_map } = lines;
             let asked = Asked { is_x: true, tie: next.is_eq(), in_map: *in_map, pass_one_way };
-            let (mut found, mut is_x) = (Surface::NONE, true);
+            let (mut found, mut is_x) = (LineSurface::NONE, true);
             if next.is_le() {
                 *seen = seen.wrapping_add(1);
                 found = self.behind(x, y, asked);
@@ -164,8 +164,8 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
         }
     }
 
-    fn block_hit(&self, across: &Sides, is_x: bool, found: Surface) -> BlockHit {
-        let Surface { index, flags, one_way, at_end } = found;
+    fn block_hit(&self, across: &Sides, is_x: bool, found: LineSurface) -> BlockHit {
+        let LineSurface { index, flags, one_way, at_end } = found;
         let at = across.lead.wrapping_add(across.step);
         let (mut x, mut y) = if is_x { (at, index) } else { (index, at) };
         if let Outside::Edge = self.outside {
@@ -177,7 +177,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
     /// The side of the cells behind a line that the front reaches.
     #[inline(never)]
-    fn behind(&self, across: &Sides, aside: &mut Sides, asked: Asked) -> Surface {
+    fn behind(&self, across: &Sides, aside: &mut Sides, asked: Asked) -> LineSurface {
         // The rear, at the moment at which the front is at the line.
         while aside.far < aside.way && aside.compare(aside.far, across, across.gap).is_le() {
             (aside.rear, aside.far) = aside.after(aside.rear, aside.far, self.grid.cell);
@@ -189,7 +189,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
         let over = across.step.wrapping_mul(across.stride);
         let before = across.lead.wrapping_mul(across.stride).wrapping_add(index.wrapping_mul(aside.stride));
         let mut tile = before.wrapping_add(over) as u32;
-        let mut found = Surface::NONE;
+        let mut found = LineSurface::NONE;
         while index <= last {
             let id = self.id_at(tile);
             if !self.kinds.is_empty(id) {
@@ -216,7 +216,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// A box without an extent along the line, and on a line across, spans no cell. It is stopped
     /// where A's side continues along B, or at the end of B's side if it moves in that direction.
     #[inline(never)]
-    fn behind_at_corner(&self, across: &Sides, aside: &Sides, asked: Asked) -> Surface {
+    fn behind_at_corner(&self, across: &Sides, aside: &Sides, asked: Asked) -> LineSurface {
         let beyond = aside.lead.wrapping_add(aside.step);
         let thin = aside.rear == beyond;
         let from = if thin { aside.lead } else { aside.rear };
@@ -233,7 +233,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
             let kind = kind_of(at, along);
             kind.is_full() || (one_way && asked.is_stopped(kind, across.step) && !covered(along))
         };
-        let (mut whole, mut end) = (Surface::NONE, Surface { at_end: true, ..Surface::NONE });
+        let (mut whole, mut end) = (LineSurface::NONE, LineSurface { at_end: true, ..LineSurface::NONE });
         while index <= last {
             let kind = kind_of(at, index);
             if asked.is_stopped(kind, across.step) && !covered(index) {
