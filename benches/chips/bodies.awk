@@ -1,8 +1,8 @@
-# Prints the rows of broad phases as Markdown, one table per world: awk -f bodies.awk counts.txt
+# Prints the rows of broad phases as Markdown, one table per world:
+# awk -f read.awk -f bodies.awk counts.txt
 # pivot.awk's output of a measurement works as well. Rows of [pairs] are "sweep, 64 bodies, fixed".
 # Rows of [size] and [size, filters] are "sweep, 64 bodies".
 BEGIN {
-    FS = "|"
     kinds = split("brute sweep grid hash", kind, " ")
     worlds = split("fixed density cluster", world, " ")
     title["fixed"] = "a world of 1024 x 768"
@@ -10,27 +10,14 @@ BEGIN {
     title["cluster"] = "all in 256 x 256"
 }
 
-function trim(s) { gsub(/^ +| +$/, "", s); return s }
-# Prints 1234567 as 1 234 567.
-function spaced(n, s) {
-    for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
-    return n s
-}
-
-NF < 2 { section = ""; next }
-$1 ~ /^\[.*\]/ {
-    section = trim($1)
-    for (i = 2; i <= NF; i++) column[i] = trim($i)
-    next
-}
-section ~ /^\[(pairs|size)/ {
+section ~ /^(pairs|size)/ {
     split(trim($1), name, ", ")
     n = name[2] + 0
     if (!(n in seen)) { seen[n] = 1; bodies[++rows] = n }
     for (i = 2; i <= NF; i++) {
-        if (section == "[pairs]") plain[column[i] " " name[3] " " name[1] " " n] = int(trim($i) + 0.5)
-        if (section == "[size]") plain[column[i] " size " name[1] " " n] = int(trim($i) + 0.5)
-        if (section == "[size, filters]") masked[column[i] " size " name[1] " " n] = int(trim($i) + 0.5)
+        if (section == "pairs") plain[column[i] " " name[3] " " name[1] " " n] = int(trim($i) + 0.5)
+        if (section == "size") plain[column[i] " size " name[1] " " n] = int(trim($i) + 0.5)
+        if (section == "size, filters") masked[column[i] " size " name[1] " " n] = int(trim($i) + 0.5)
     }
 }
 

@@ -1,12 +1,11 @@
 # Compares fresh tables with the reviewed ones:
-#   awk -v same_compiler=0|1 -v only=SECTIONS -v without=COLUMNS -f compare.awk counts.txt FRESH
+#   awk -v same_compiler=0|1 -v only=SECTIONS -v without=COLUMNS \
+#     -f read.awk -f compare.awk counts.txt FRESH
 # SECTIONS and COLUMNS are names between semicolons, or empty: the only ones to compare, and the
 # ones that could not be measured here. Prints a line per finding, then a summary line. Exits with 1
 # if a number exceeds its budget, differs by more than 2 % from the reviewed one, or has no
 # counterpart. With another compiler it reports differences but does not fail.
-BEGIN { FS = "|" }
 
-function trim(s) { gsub(/^ +| +$/, "", s); return s }
 function in_list(list, item) { return index(";" list ";", ";" item ";") > 0 }
 function moved(a, b, d) { d = a > b ? a - b : b - a; return d * 50 > a }
 function told(what, key, text, part) {
@@ -20,17 +19,9 @@ function change(key, text) {
     told(text ~ /^was/ ? "CHANGED" : text ~ /^is/ ? "NEW" : "GONE", key, text)
 }
 
-FNR == 1 { file++; section = "" }
-NF < 2 { section = ""; next }
-$1 ~ /^\[.*\]/ {
-    section = trim($1)
-    section = substr(section, 2, length(section) - 2)
-    columns = NF
-    for (i = 2; i <= NF; i++) column[i] = trim($i)
-    next
-}
 section == "" || (only != "" && !in_list(only, section)) { next }
 {
+    file = FILENAME == ARGV[1] ? 1 : 2
     if (file == 2) rows++
     for (i = 2; i <= columns; i++) {
         number = trim($i)

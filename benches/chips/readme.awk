@@ -1,8 +1,7 @@
-# Prints the main rows of the reviewed tables as Markdown, one query per line: awk -f readme.awk
-# counts.txt
+# Prints the main rows of the reviewed tables as Markdown, one query per line:
+# awk -f read.awk -f readme.awk counts.txt
 # All other rows stay in counts.txt. Those of broad phases have a separate table (bodies.awk).
 BEGIN {
-    FS = "|"
     # section, row = name on the page = the flash program that holds it
     add("kernel", "AABB-AABB overlaps, hit", "two boxes overlap", "AABB-AABB overlaps")
     add("kernel", "circle-circle overlaps, near", "two circles, near, overlap", "circle-circle overlaps")
@@ -47,29 +46,8 @@ function played(row, i) {
     add("frames", row ", most of 4000", row ": the longest of 4000", "")
     stack_row[rows] = ""
 }
-function trim(s) { gsub(/^ +| +$/, "", s); return s }
 function shown(where) { return where in value ? sprintf("%.0f", value[where]) : "" }
-function larger(a, b) { return b + 0 > a + 0 ? b : a }
-# Prints 1234567 as 1 234 567.
-function spaced(n, s) {
-    if (n == "") return ""
-    n += 0
-    for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
-    return n s
-}
-
-NF < 2 { section = ""; next }
-$1 ~ /^\[.*\]/ {
-    section = trim($1)
-    section = substr(section, 2, length(section) - 2)
-    columns = NF
-    for (i = 2; i <= NF; i++) column[i] = trim($i)
-    next
-}
-section != "" {
-    for (i = 2; i <= columns; i++) if (trim($i) != "-") value[section, trim($1), column[i]] = trim($i)
-    if (section == "game flash") game[++games] = trim($1)
-}
+section == "game flash" { game[++games] = trim($1) }
 
 function snapshot(how, row) {
     row = "stack" SUBSEP "a snapshot of 16 bodies, " how SUBSEP "M0"

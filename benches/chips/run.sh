@@ -60,7 +60,7 @@ tables=(
 )
 root=$(cd ../.. && pwd)
 with_table() {
-    awk -v begin="<!-- $2:begin" -v end="<!-- $2:end" -v table="awk -f $3 counts.txt" '
+    awk -v begin="<!-- $2:begin" -v end="<!-- $2:end" -v table="awk -f read.awk -f $3 counts.txt" '
         index($0, begin) { print; while ((table | getline row) > 0) print row; inside = 1 }
         index($0, end) { inside = 0 }
         !inside' "$root/$1"
@@ -248,7 +248,7 @@ if ((bodies)); then
     build_counts "${cores[*]#*:}" crowds
     for core in "${cores[@]}"; do
         run_crowds "${core#*:}"
-    done | awk -f pivot.awk | awk -f bodies.awk
+    done | awk -f pivot.awk | awk -f read.awk -f bodies.awk
     exit 0
 fi
 
@@ -410,4 +410,4 @@ for entry in "${tables[@]}"; do
 done
 [[ -z $without ]] || echo "NOT MEASURED, so not compared: $without"
 echo
-awk -v same_compiler=$same -v only="$only" -v without="$without" -f compare.awk counts.txt "$fresh" && ((!stale))
+awk -v same_compiler=$same -v only="$only" -v without="$without" -f read.awk -f compare.awk counts.txt "$fresh" && ((!stale))

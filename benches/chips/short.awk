@@ -1,9 +1,8 @@
-# Prints the README's short table: awk -f short.awk counts.txt. Whole programs come first.
+# Prints the README's short table, whole programs first: awk -f read.awk -f short.awk counts.txt
 # readme.awk prints the long one. -v page=board prints only the programs, and how much stack to
 # leave, for the guide's board from zero. Stack is that at the level of optimisation that takes
 # more. For a scene it is the bound: bodies meet in too many ways to see the most of it.
 BEGIN {
-    FS = "|"
     hero("a hero among blocks", "a `Character` among `Blocks`")
     hero("a hero among slopes", "a `Character` among `Slopes`")
     hero("a hero among blocks with a lift", "a `Character` among `Blocks`, with lifts")
@@ -34,20 +33,11 @@ function line(title, weighed, flash, section, counted, stack) {
     count_of[lines] = section SUBSEP counted
     stack_of[lines] = stack
 }
-function trim(s) { gsub(/^ +| +$/, "", s); return s }
-# Prints 1234567 as 1 234 567.
-function spaced(n, s) {
-    if (n == "") return ""
-    n = sprintf("%.0f", n) + 0
-    for (s = ""; n >= 1000; n = int(n / 1000)) s = sprintf(" %03d", n % 1000) s
-    return n s
-}
-function at(where, column) { return (where SUBSEP column) in value ? value[where SUBSEP column] : "" }
 function stack(i, three, small) {
     if (stack_of[i] ~ /^scenes: /) return at("bound" SUBSEP stack_of[i], "M0")
     three = at("stack" SUBSEP stack_of[i], "M0")
     small = at("stack" SUBSEP stack_of[i], "M0 at s")
-    return small + 0 > three + 0 ? small : three
+    return larger(three, small)
 }
 # The most of the counts: of a hero in a row of its own, else the range's end.
 function most(i, where, range) {
@@ -58,16 +48,6 @@ function most(i, where, range) {
     return range
 }
 function kilobytes(bytes) { return sprintf("%.1f KB", bytes / 1024) }
-function larger(a, b) { return a + 0 > b + 0 ? a : b }
-
-NF < 2 { section = ""; next }
-$1 ~ /^\[.*\]/ {
-    section = trim($1)
-    section = substr(section, 2, length(section) - 2)
-    for (i = 2; i <= NF; i++) column[i] = trim($i)
-    next
-}
-section != "" { for (i = 2; i <= NF; i++) if (trim($i) != "-") value[section SUBSEP trim($1) SUBSEP column[i]] = trim($i) }
 END {
     print "| whole programs and calls | flash, bytes | instructions at \"s\" | at 3 | at most, at 3 | stack, bytes | static RAM, bytes |"
     print "|---|--:|--:|--:|--:|--:|--:|"
