@@ -133,13 +133,8 @@ impl<B: Body> Character<B> {
 /// A push along the velocity has already made a part of this frame's motion. So has the solid that
 /// the character left, if that solid moves under the feet in the frame of the landing.
 fn already_made(velocity: Vec2, base: Vec2, carry: Vec2) -> Vec2 {
-    let part = |carry, velocity, base| farther(shared(carry, velocity), shared(carry, base));
-    Vec2::new(part(carry.x, velocity.x, base.x), part(carry.y, velocity.y, base.y))
-}
-
-/// The part that two motions have in common.
-fn shared(a: Fx, b: Fx) -> Fx {
-    if a < 0 { a.max(b).min(Fx::ZERO) } else { a.min(b).max(Fx::ZERO) }
+    let (all, left) = (carry.common(velocity), carry.common(base));
+    Vec2::new(farther(all.x, left.x), farther(all.y, left.y))
 }
 
 /// The longer one of two motions.

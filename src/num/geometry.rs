@@ -100,6 +100,14 @@ impl Vec2 {
         Self { x: self.y.saturating_neg(), y: self.x }
     }
 
+    /// The motion that two motions have in common: on each axis the shorter one, and none in
+    /// opposite directions.
+    pub(crate) fn common(self, rhs: Self) -> Self {
+        let of = |a: i32, b: i32| if a > 0 { a.min(b).max(0) } else { a.max(b).min(0) };
+        let ((ax, ay), (bx, by)) = (self.raw(), rhs.raw());
+        Self::from_raw(of(ax, bx), of(ay, by))
+    }
+
     /// The point at a part of the straight line to `to`, each component rounded toward `self`.
     ///
     /// The exact point, or less than a raw unit before it on each axis. For any two points

@@ -122,7 +122,7 @@ impl BodyWay {
 
     /// Whether it waits, and another way does not slow it down.
     pub(super) fn ignores(&self, other: &Self) -> bool {
-        self.waits() && !other.goes() && common(self.rate, other.rate) == self.rate
+        self.waits() && !other.goes() && self.rate.common(other.rate) == self.rate
     }
 
     /// The body is held: no hit moves it in this step.
@@ -151,14 +151,6 @@ impl BodyWay {
             (*place, *count) = (other.slot() as u16, *count + 1);
         }
     }
-}
-
-/// The motion that two have in common: on each axis the shorter one, and none in opposite
-/// directions.
-pub(super) fn common(a: Vec2, b: Vec2) -> Vec2 {
-    let of = |a: i32, b: i32| if a > 0 { a.min(b).max(0) } else { a.max(b).min(0) };
-    let ((ax, ay), (bx, by)) = (a.raw(), b.raw());
-    Vec2::from_raw(of(ax, bx), of(ay, by))
 }
 
 /// The longest displacement of a way.

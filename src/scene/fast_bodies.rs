@@ -310,8 +310,7 @@ where
 
     /// Reports that two bodies meet for the first time, and wakes them.
     fn report(&mut self, met: &Encounter, ways: &TwoWays<'_, S>) {
-        let speed = met.axis.approach(ways.other.body.velocity - ways.one.body.velocity);
-        (self.each)(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
+        (self.each)(met.event(&ways.one, &ways.other));
         add_to_awake(self.slots, self.room, &mut self.woken, met.pair.a);
         add_to_awake(self.slots, self.room, &mut self.woken, met.pair.b);
     }
@@ -339,8 +338,7 @@ where
             let reports = |reply: Reply| reply == Reply::Cross || (sensor && reply.acts());
             if let Some(met) = met.filter(|met| reports(replies.to(met.pair))) {
                 let (a, b) = if met.pair.a == handle { (slot, at) } else { (at, slot) };
-                let speed = met.axis.approach(b.body.velocity - a.body.velocity);
-                each(SceneEvent::Meet { pair: met.pair, toi: met.time, axis: met.axis, speed });
+                each(met.event(a, b));
             }
         });
     }

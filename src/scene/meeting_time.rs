@@ -1,5 +1,6 @@
 //! Where and when the paths of two bodies meet, and which bodies can be on a path.
 
+use super::SceneEvent;
 use super::body::{Mode, Slot};
 use super::body_way::{Pace, WayEnd, later, size};
 use super::kernel::BodyShape;
@@ -60,6 +61,12 @@ impl Encounter {
         let axis = p.contact(&q)?.axis();
         let nearing = axis.dot_vec(a.way.rate - b.way.rate) > 0;
         nearing.then_some(Self { pair, time: from, axis, place_a: p.position(), place_b: q.position(), begins: false })
+    }
+
+    /// The event of a meeting of its bodies, `a` and `b`.
+    pub(super) fn event<S>(&self, a: &Slot<S>, b: &Slot<S>) -> SceneEvent<'static> {
+        let speed = self.axis.approach(b.body.velocity - a.body.velocity);
+        SceneEvent::Meet { pair: self.pair, toi: self.time, axis: self.axis, speed }
     }
 }
 

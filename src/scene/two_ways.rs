@@ -1,7 +1,7 @@
 //! Two bodies that meet on their ways: their velocities, who lies on whom, and who yields.
 
 use super::body::{ALOFT, NOBODY, Slot};
-use super::body_way::{Heading, Pace, TURNS, common};
+use super::body_way::{Heading, Pace, TURNS};
 use super::kernel::BodyShape;
 use super::meeting_time::Encounter;
 use super::pairs::both;
@@ -52,7 +52,7 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
             other: *other,
             again: one.way.has_met(met.pair.b) || other.way.has_met(met.pair.a),
             top: Top::Neither,
-            together: common(one.way.rate, other.way.rate),
+            together: one.way.rate.common(other.way.rate),
             pushes: (pushed(one), pushed(other)),
         })
     }
