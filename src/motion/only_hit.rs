@@ -1,14 +1,16 @@
-//! Motions that meet one face, or one corner, and then nothing, as most that meet anything. The
-//! result is that of [`follow`](Mover::follow), which takes two rounds and more work.
+//! Motions that meet one surface and then nothing, as most that meet anything. The result is that
+//! of [`follow`](Mover::follow), which takes two rounds and more work.
 
 use super::body::{Body, Entry, is_by_lines};
 use super::mover::Mover;
-use super::plane::{FAR, NEAR, into, project, way};
+use super::plane::{FAR, NEAR, into, may_be_askew, project, way};
 use super::response::{Law, Response, Smooth};
-use super::run::{straightened, turned};
-use super::search::{Around, holds_one, hull, piece_of};
-use crate::num::{Raw, Toi, mul_div, umul};
-use crate::world::{Feature, Fill, World};
+use super::run::{on_the_way, straightened, turned};
+use super::search::{Around, hull, margin, piece_of};
+use crate::num::{Axis, Raw, Toi, mul_div, umul};
+use crate::query::cast::side::along;
+use crate::shape::Aabb;
+use crate::world::{Feature, Geometry, Tangent, World, ends};
 
 /// A motion up to its only hit, the motion after it, and the velocity after it.
 pub(super) struct OnlyHit {
@@ -40,13 +42,14 @@ impl<S: Law> Mover<S> {
             Response::Bounce if !self.surface.surface().stops(d, normal) => return None,
             Response::Slide | Response::DropThrough | Response::Bounce => {}
         }
-        let hit = if let Some(step) = entry.step {
-            if !W::GRID || !B::MEETS_CORNERS || B::ANGULAR || known.is_none() {
+        let is_askew = may_be_askew::<B, W>() && (entry.step.is_some() || (normal.x != 0 && normal.y != 0));
+        let hit = if is_askew {
+            if !W::GRID || B::ANGULAR || known.is_none() {
                 return None;
             }
-            self.around_corner(world, body, d, (entry, feature), (step, toi))?
+            self.along_tangent(world, body, d, (entry, feature), toi)?
         } else {
-            self.along_face(world, body, d, (entry, toi), known)?
+            self.along_face(world, body, d, (entry, feature), toi, known)?
         };
         for part in [hit.made, hit.rest] {
             if !part.is_zero() {
@@ -65,11 +68,12 @@ impl<S: Law> Mover<S> {
         world: &W,
         body: &B,
         d: Raw,
-        (entry, toi): (&Entry, Toi),
+        (entry, feature): (&Entry, &Feature),
+        toi: Toi,
         known: Option<&Around>,
     ) -> Option<OnlyHit> {
         let normal = entry.normal;
-        if entry.at_end || (normal.x != 0 && normal.y != 0) {
+        if entry.at_end {
             return None;
         }
         let v = if S::SMOOTH {
@@ -86,8 +90,11 @@ impl<S: Law> Mover<S> {
         };
         if !made.is_zero() || !rest.is_zero() {
             let (around, way) = (known?, piece_of(&body.shifted(made).bounds(), Raw::ZERO, rest, 1));
-            let free =
-                if is_by_lines::<W, B>() { rest.is_zero() || world.is_known_empty(&way) } else { around.is_free(&way) };
+            let free = if is_by_lines::<W, B>() {
+                rest.is_zero() || world.is_known_empty(&way)
+            } else {
+                around.is_free(&way) || is_before_face(world, body, &way, rest, (normal, feature))
+            };
             if !free {
                 return None;
             }
@@ -95,38 +102,80 @@ impl<S: Law> Mover<S> {
         Some(OnlyHit { toi, made, rest, v })
     }
 
-    /// If a full cell is all that is near a body that meets its corner, it goes on along the
-    /// tangent there.
+    /// If all that is near a body is behind the tangent where it meets a corner, an arc or a slope,
+    /// it goes on along that tangent.
     ///
-    /// With `n` from the corner to the centre, the block is behind the line across `n` through the
-    /// corner. A way along the tangent does not cross that line, and enters nothing. Of all ways
-    /// that do not cross it, the tangent is the nearest to the velocity, so the projection on it is
-    /// the longest. The sides of the block, which the body touches at their ends, add only shorter
-    /// ones.
+    /// Such a way crosses no solid. Of all ways that do not cross the tangent, that is the one
+    /// nearest to the velocity. So the projection on it is the longest. Other surfaces that the
+    /// body touches add only shorter ones.
     #[inline(never)]
-    fn around_corner<W: World, B: Body>(
+    fn along_tangent<W: World, B: Body>(
         &self,
         world: &W,
         body: &B,
         d: Raw,
         (entry, feature): (&Entry, &Feature),
-        (step, toi): (Raw, Toi),
+        toi: Toi,
     ) -> Option<OnlyHit> {
         let n = entry.normal;
-        let is_full = W::BLOCKS || world.fill(feature.cell.x.into(), feature.cell.y.into()) == Fill::Full;
-        if n.x == 0 || n.y == 0 || !is_full || into(d, n) >= 0 {
+        if n.x == 0 || n.y == 0 || into(d, n) >= 0 {
             return None;
         }
+        let made = entry.displacement_at(d, Some(toi.raw()));
+        let line = tangent_of::<W, _>(&body.shifted(made), n, feature)?;
         let smooth = project::<B, W, _>(d, n, &Smooth);
-        if way(smooth) <= NEAR {
+        if way(smooth) <= NEAR || on_the_way(made, d) != made {
             return None;
         }
         let v = if S::SMOOTH { smooth } else { project::<B, W, S>(d, n, &self.surface) };
-        let rest = straightened::<B, W>(turned(d.sub(step), d, v, after(toi, entry)), n);
-        let region = hull(&body.shifted(step).bounds(), Raw::ZERO, rest, FAR as i32 + 2);
-        // Longer ways are looked at in pieces, which costs less.
-        let alone = way(rest) >> 1 <= world.cell_size() && holds_one(world, &region);
-        alone.then_some(OnlyHit { toi, made: step, rest, v })
+        let rest = straightened::<B, W>(turned(d.sub(made), d, v, after(toi, entry)), n);
+        let region = hull(&body.shifted(made).bounds(), Raw::ZERO, rest, FAR as i32 + 2);
+        leads_along(world, body, &region, rest, &line).then_some(OnlyHit { toi, made, rest, v })
+    }
+}
+
+/// Whether a way in a region leads along a line, in front of all solid. A body without area may
+/// meet the end of what is behind the line, too. Longer ways are looked at in pieces, which costs
+/// less.
+#[inline]
+fn leads_along<W: World, B: Body>(world: &W, body: &B, region: &Aabb, rest: Raw, line: &Tangent) -> bool {
+    way(rest) >> 1 <= world.cell_size() && margin(&body.bounds()) == 0 && world.is_behind(region, body.rounding(), line)
+}
+
+/// Whether a way in a region leads along a face, in front of all solid. Blocks in front of a face
+/// are in its way.
+#[inline]
+fn is_before_face<W: World, B: Body>(
+    world: &W,
+    body: &B,
+    region: &Aabb,
+    rest: Raw,
+    (n, feature): (Axis, &Feature),
+) -> bool {
+    let Geometry::Face { a, .. } = feature.geometry else { return false };
+    let line = Tangent::through(Raw::of(a), n, feature.cell);
+    W::GRID && !W::BLOCKS && leads_along(world, body, region, rest, &line)
+}
+
+/// The tangent where a body meets a feature, if the cell's convex solid touches no more than that.
+fn tangent_of<W: World, B: Body>(body: &B, n: Axis, feature: &Feature) -> Option<Tangent> {
+    let cell = feature.cell;
+    match feature.geometry {
+        Geometry::Vertex { p, e_in, e_out } => {
+            // Both edges are behind the line, even if the normal is rounded.
+            (W::BLOCKS || (e_in.dot(n) >= 0 && e_out.dot(n) <= 0)).then(|| Tangent::through(Raw::of(p), n, cell))
+        }
+        Geometry::Arc { centre, radius, convex: true, .. } if W::ARCS => {
+            Some(Tangent::of_disc(Raw::of(centre), radius, n, cell))
+        }
+        Geometry::Face { a, dir, len, .. } if !W::BLOCKS => {
+            // Near an end of a face there is a corner with other tangents.
+            let (a, end) = ends(Raw::of(a), dir, len);
+            let (c, _) = body.toward(n.reversed());
+            let over = |way: Raw| along(dir, way) > i64::from(4 * FAR);
+            (over(c.sub(a)) && over(end.sub(c))).then(|| Tangent::through(a, n, cell))
+        }
+        Geometry::Face { .. } | Geometry::Arc { .. } => None,
     }
 }
 

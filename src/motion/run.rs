@@ -378,6 +378,6 @@ fn part_of(d: Raw, far: u32) -> Raw {
 }
 
 /// The displacement nearest to another that leads beyond neither end of a motion.
-fn on_the_way(q: Raw, d: Raw) -> Raw {
+pub(super) fn on_the_way(q: Raw, d: Raw) -> Raw {
     Raw { x: q.x.clamp(d.x.min(0), d.x.max(0)), y: q.y.clamp(d.y.min(0), d.y.max(0)) }
 }

@@ -122,13 +122,6 @@ impl Around {
     }
 }
 
-/// Whether a region is in a grid and holds something in exactly one of its cells.
-pub(super) fn holds_one<W: World>(world: &W, region: &Aabb) -> bool {
-    // A constant would be cleared by a call.
-    let mut seen = Seen { held: None, cells: None };
-    world.look(region, None, &mut seen) && seen.cells.is_some_and(|cells| cells.is_one())
-}
-
 /// Whether a box is inside the domain.
 fn is_inside(region: &Aabb) -> bool {
     let (lo, hi) = (region.lo(), region.hi());

@@ -111,11 +111,6 @@ impl Cells {
     pub(in crate::world) const fn of(range: Range) -> Self {
         Self { x: range.x0, y: range.y0, range }
     }
-
-    /// Whether it is a single cell.
-    pub(crate) const fn is_one(&self) -> bool {
-        self.range.cells() == 1
-    }
 }
 
 /// A walk over the strips that a motion crosses.

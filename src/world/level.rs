@@ -5,6 +5,7 @@ use super::cell::{Block, Cell, Cells, Way};
 use super::convex::ConvexBody;
 use super::lines::{BlockHit, Lines};
 pub(in crate::world) use super::methods::{levels, meets_as_world};
+use super::tangent::Tangent;
 use super::tile_map::kind::Fill;
 use crate::num::{Axis, Raw, Vec2, imul};
 use crate::query::{Overlaps, Touches};
@@ -389,6 +390,14 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
     #[doc(hidden)]
     fn is_known_empty(&self, region: &Aabb) -> bool {
         let _ = region;
+        false
+    }
+
+    /// Whether a region is in a grid and no body in it, rounded by `r`, reaches solid in front of a
+    /// line that a cell touches. The solid of that cell must be convex, or the answer is false.
+    #[doc(hidden)]
+    fn is_behind(&self, region: &Aabb, r: i32, line: &Tangent) -> bool {
+        let _ = (region, r, line);
         false
     }
 

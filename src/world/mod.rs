@@ -61,6 +61,7 @@ mod ray;
 mod rooms;
 mod segment_map;
 mod solids;
+mod tangent;
 #[cfg(test)]
 mod tests;
 mod tile_map;
@@ -91,6 +92,7 @@ pub use solids::convex_solid::{ConvexSolid, SolidShape};
 pub use solids::features::SolidFeatures;
 pub use solids::ray::SolidRayHits;
 pub use solids::solid::{Side, Solid};
+pub(crate) use tangent::Tangent;
 pub use tile_map::features::Features;
 pub(crate) use tile_map::kind::Fill;
 pub use tile_map::kind::{TileKind, TileKinds, TileShape};

@@ -4,6 +4,7 @@ use super::cell::{Block, Cells, Way};
 use super::convex::ConvexBody;
 use super::level::{Feature, MotionPiece, Seen, World, meets_as_world, sealed};
 use super::lines::{BlockHit, Lines};
+use super::tangent::Tangent;
 use super::tile_map::kind::Fill;
 use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle};
@@ -191,6 +192,10 @@ impl<W: World> World for Traced<'_, W> {
 
     fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
         self.world.look(region, r, seen)
+    }
+
+    fn is_behind(&self, region: &Aabb, r: i32, line: &Tangent) -> bool {
+        self.world.is_behind(region, r, line)
     }
 
     fn cell_size(&self) -> u32 {

@@ -1,5 +1,5 @@
-//! A motion that ends at its first look ends where the general way of a mover takes it: faces,
-//! lone corners, and what meets nothing.
+//! A motion that ends at its first look ends where the general way of a mover takes it: at one
+//! surface, or without a hit.
 
 use super::std::vec::Vec;
 use crate::motion::order::First;
@@ -13,16 +13,18 @@ use tilesat_judge::{Random, cases, enough};
 
 const SIDE: i32 = 6;
 
-/// Mostly full tiles, with one-way ones and, if the set has them, shaped ones.
-fn kinds<S: ShapeSet>() -> TileKinds {
+/// Mostly full tiles, with one-way ones. If the set has shapes, two of three levels have mostly
+/// those, and one of these only halves and slopes: they often continue each other.
+fn kinds<S: ShapeSet>(turn: usize, random: &mut Random) -> TileKinds {
     let one_way = [TileShape::OneWayUp, TileShape::OneWayRight, TileShape::OneWayDown, TileShape::OneWayLeft];
-    let shaped =
-        [TileShape::SlopeBottomRight, TileShape::HalfTop, TileShape::ConvexTopLeft, TileShape::ConcaveBottomLeft];
+    let (shaped, shapes) = if S::SHAPED { [(4, 32), (14, 32), (18, 8)][turn % 3] } else { (0, 1) };
     (0..24).fold(TileKinds::EMPTY, |kinds, id: u8| {
-        let shape = match id {
-            16..20 => one_way[usize::from(id - 16)],
-            20..24 if S::SHAPED => shaped[usize::from(id - 20)],
-            _ => TileShape::Full,
+        let shape = if id < 4 {
+            one_way[usize::from(id)]
+        } else if id < 4 + shaped {
+            TileShape::ALL[2 + random.below(shapes) as usize]
+        } else {
+            TileShape::Full
         };
         kinds.with(id + 1, TileKind::of(shape).with_flags(1 << (id % 8)))
     })
@@ -95,8 +97,9 @@ fn number(random: &mut Random, most: i32) -> i32 {
 }
 
 fn level<T: ShapeSet>(turns: usize, seed: u64) -> Seen {
-    let (kinds, mut random, mut seen) = (kinds::<T>(), Random::new(seed), Seen::default());
+    let (mut random, mut seen) = (Random::new(seed), Seen::default());
     for turn in 0..turns {
+        let kinds = kinds::<T>(turn / 2, &mut random);
         let cell = [1 << 20, 1002, 256, 1 << 16][turn % 4];
         let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(cell), Vec2::from_raw(-cell, 3)).expect("a grid");
         let dense = 2 + random.below(14);

@@ -11,6 +11,7 @@ use crate::world::cell::{Block, Cells, Range};
 use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};
 use crate::world::lines::{BlockHit, Lines};
+use crate::world::tangent::Tangent;
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::Fill;
 
@@ -119,6 +120,10 @@ impl<S: ShapeSet, T: Store> World for TileMap<'_, S, T> {
 
     fn is_known_empty(&self, region: &Aabb) -> bool {
         TileMap::is_known_empty(self, region)
+    }
+
+    fn is_behind(&self, region: &Aabb, r: i32, line: &Tangent) -> bool {
+        TileMap::is_behind(self, region, r, line)
     }
 
     #[inline]

@@ -1,6 +1,7 @@
 //! A level of tiles: borrowed bytes, a grid, a table of kinds, and its outside. Type parameters
 //! give the set of shapes that it can hold, and how ids are stored.
 
+mod behind;
 mod build;
 mod clear;
 mod convex;
