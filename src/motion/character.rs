@@ -54,6 +54,13 @@ pub struct Character<B = Aabb> {
     pub(super) body: B,
     pub(super) limits: Aabb,
     pub(super) floor: Option<Support>,
+    pub(super) memory: Memory,
+}
+
+/// What it remembers from one frame to the next. If a step is refused, it is put back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct Memory {
     /// The motion of the solid that it left, relative to which it flies as from still ground.
     pub(super) base: Vec2,
     /// How far it still falls through one-way floors below the solid that it dropped from.
@@ -85,22 +92,26 @@ impl<B: Body> Character<B> {
             body,
             limits,
             floor: None,
-            base: Vec2::ZERO,
-            through: Fx::ZERO,
-            left: Fx::ZERO,
-            held: false,
-            jumps: false,
-            wish: 0,
-            away: u8::MAX,
-            wall: 0,
-            wall_age: u8::MAX,
+            memory: Memory {
+                base: Vec2::ZERO,
+                through: Fx::ZERO,
+                left: Fx::ZERO,
+                held: false,
+                jumps: false,
+                wish: 0,
+                away: u8::MAX,
+                wall: 0,
+                wall_age: u8::MAX,
+            },
         }
     }
 
     /// Puts the character at another position, in the air and at rest. Checks nothing: if the body
     /// is in the solid, the next step returns [`Outcome::Stuck`].
     pub fn place(&mut self, body: B) {
-        *self = Self { held: self.held, ..Self::new(body, self.limits, self.feel) };
+        let held = self.memory.held;
+        *self = Self::new(body, self.limits, self.feel);
+        self.memory.held = held;
     }
 
     /// Moves the character into another [`Room`](crate::world::Room). Its position changes by `by`,
@@ -218,7 +229,7 @@ impl<B: Body> Character<B> {
 
     /// Whether it passes one-way floors, if the button for that is down or not.
     pub(super) const fn passes(&self, drop: bool) -> bool {
-        drop || self.through.to_bits() > 0
+        drop || self.memory.through.to_bits() > 0
     }
 
     pub(super) fn walker(&self, drop: bool) -> Result<Walker, RangeError> {

@@ -3,7 +3,8 @@
 use super::character::{Character, refused};
 use super::feel::{Input, Outcome, Step};
 use super::plan::Plan;
-use super::{Body, MoveError, Walked};
+use super::walk::Footing;
+use super::{Body, Moved};
 use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
 use crate::world::World;
@@ -16,29 +17,35 @@ impl<B: Body> Character<B> {
     /// # Errors
     /// As [`step`](Self::step).
     pub fn step_carried<W: World>(&mut self, level: &W, input: Input, carry: Vec2) -> Result<Step, RangeError> {
-        let mut next = *self;
-        let plan = next.plan(input, carry)?;
-        let walked = plan.walker.walk(level, &next.body, plan.velocity, next.floor);
-        let step = next.settle(&plan, walked)?;
-        *self = next;
-        Ok(step)
+        let before = self.memory;
+        let step = self.walk_as_planned(level, input, carry);
+        if step.is_err() {
+            self.memory = before;
+        }
+        step
+    }
+
+    /// The result of the walk is read where it was written: copies of it and of the character took
+    /// a fifth of a step.
+    fn walk_as_planned<W: World>(&mut self, level: &W, input: Input, carry: Vec2) -> Result<Step, RangeError> {
+        let plan = self.plan(input, carry)?;
+        let mut moved = Moved::freely(self.body, plan.velocity, 0);
+        match plan.walker.walk_in_place(level, &mut moved, self.floor) {
+            Ok(footing) => Ok(self.settle(&plan, &moved, &footing)),
+            Err(e) => {
+                let outcome = refused(e)?;
+                (self.velocity, self.floor) = (Vec2::ZERO, None);
+                (self.memory.base, self.memory.left, self.memory.through) = (Vec2::ZERO, Fx::ZERO, Fx::ZERO);
+                Ok(Step::nothing(outcome))
+            }
+        }
     }
 
     /// Applies the result of a walk.
-    fn settle(&mut self, plan: &Plan, walked: Result<Walked<B>, MoveError>) -> Result<Step, RangeError> {
-        let walked = match walked {
-            Ok(walked) => walked,
-            Err(e) => {
-                let outcome = refused(e)?;
-                (self.velocity, self.floor, self.base, self.left) = (Vec2::ZERO, None, Vec2::ZERO, Fx::ZERO);
-                self.through = Fx::ZERO;
-                return Ok(Step::nothing(outcome));
-            }
-        };
-        let moved = &walked.moved;
+    fn settle(&mut self, plan: &Plan, moved: &Moved<B>, footing: &Footing) -> Step {
         let stood = self.floor.is_some();
-        let landed = !stood && walked.met_floor;
-        (self.body, self.floor) = (moved.body, walked.floor);
+        let landed = !stood && footing.met_floor;
+        (self.body, self.floor) = (moved.body, footing.floor);
         // The components of the velocity that nothing changed are kept. On a solid, the velocity is
         // relative to the solid again.
         let (now, was) = (moved.velocity, plan.velocity);
@@ -47,31 +54,31 @@ impl<B: Body> Character<B> {
             let part = |free, v| if free { v } else { Fx::ZERO };
             Vec2::new(part(free.0, v.x), part(free.1, v.y))
         };
-        let (base, full) = (kept(self.base), now + kept(plan.made));
-        (self.base, self.velocity) = match walked.floor {
+        let (base, full) = (kept(self.memory.base), now + kept(plan.made));
+        (self.memory.base, self.velocity) = match footing.floor {
             None => (base, full),
             Some(floor) if stood || floor.solid().is_some() => (Vec2::ZERO, Vec2::new(full.x - base.x, now.y)),
             Some(_) => (Vec2::ZERO, Vec2::new(full.x, now.y)),
         };
-        if walked.met_floor {
-            self.through = Fx::ZERO;
+        if footing.met_floor {
+            self.memory.through = Fx::ZERO;
         }
         if landed {
-            self.away = 0; // if it slid off at once, it left this floor now
+            self.memory.away = 0; // if it slid off at once, it left this floor now
         }
-        self.left = self.velocity.y;
-        self.jumps &= !walked.met_floor;
-        if plan.drops && walked.floor.is_none() {
-            self.wish = 0; // the press meant the drop
+        self.memory.left = self.velocity.y;
+        self.memory.jumps &= !footing.met_floor;
+        if plan.drops && footing.floor.is_none() {
+            self.memory.wish = 0; // the press meant the drop
         }
         if moved.wall {
             // Steeper than 45 degrees: the mover's limit.
             let steep = moved.hits.iter().filter(|hit| hit.axis.x.unsigned_abs() > hit.axis.y.unsigned_abs());
             if let Some(hit) = steep.last() {
-                (self.wall, self.wall_age) = (if hit.axis.x < 0 { 1 } else { -1 }, 0);
+                (self.memory.wall, self.memory.wall_age) = (if hit.axis.x < 0 { 1 } else { -1 }, 0);
             }
         }
-        Ok(Step {
+        Step {
             outcome: if self.is_out() { Outcome::OutOfLevel } else { Outcome::Moved },
             jumped: plan.jumped,
             landed,
@@ -79,6 +86,6 @@ impl<B: Body> Character<B> {
             ceiling: moved.ceiling,
             flags: moved.flags,
             hits: moved.hits,
-        })
+        }
     }
 }

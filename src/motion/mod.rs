@@ -192,6 +192,7 @@ mod walk {
     pub use frame::Walked;
     pub(super) use ground::CONTACT;
     pub use ground::Support;
+    pub(super) use stride::Footing;
     pub use walker::{SlopeSpeed, Walker};
 }
 mod ways;

@@ -35,26 +35,26 @@ impl<B: Body> Character<B> {
         let stands = self.floor.is_some();
         self.count_frames(input.jump, stands);
         let keeps = stands || self.feel.on_leave == OnLeave::Keep;
-        let mut speeds = self.run_and_fall(input.run, if keeps { self.base } else { Vec2::ZERO }, stands);
-        let launched = speeds.fall < 0 && self.falls() < self.downward(self.left);
+        let mut speeds = self.run_and_fall(input.run, if keeps { self.memory.base } else { Vec2::ZERO }, stands);
+        let launched = speeds.fall < 0 && self.falls() < self.downward(self.memory.left);
         if launched {
-            (self.away, self.jumps) = (u8::MAX, false);
+            (self.memory.away, self.memory.jumps) = (u8::MAX, false);
         }
         if stands {
-            self.base = carry; // if it leaves the floor in this frame
+            self.memory.base = carry; // if it leaves the floor in this frame
         }
         let drops = input.drop && self.floor.is_some_and(|floor| floor.one_way);
-        let jumped = self.wish > 0 && !drops && self.jump(&mut speeds, !launched, stands);
+        let jumped = self.memory.wish > 0 && !drops && self.jump(&mut speeds, !launched, stands);
         if stands && jumped && self.feel.on_leave == OnLeave::AddUpward && self.downward(carry.y) > 0 {
-            self.base.y = Fx::ZERO;
+            self.memory.base.y = Fx::ZERO;
         }
         self.cut_rise(&mut speeds, input.jump);
         if input.drop {
-            self.away = u8::MAX;
+            self.memory.away = u8::MAX;
         }
         let walker = self.walker(self.passes(input.drop))?;
         self.count_drop(drops, carry, speeds.fall);
-        let base = if keeps { self.base } else { Vec2::ZERO };
+        let base = if keeps { self.memory.base } else { Vec2::ZERO };
         let velocity = Vec2::new(speeds.run, self.downward(speeds.fall)) + base;
         let made = if stands { carry } else { already_made(velocity, base, carry) };
         let walks = stands && !(jumped || launched || drops);
@@ -64,10 +64,11 @@ impl<B: Body> Character<B> {
     /// Counts the frames since it stood and since it was at a wall, and those for which a press
     /// still counts.
     fn count_frames(&mut self, jump: bool, stands: bool) {
-        self.away = if stands { 0 } else { self.away.saturating_add(1) };
-        self.wall_age = self.wall_age.saturating_add(1);
-        self.wish = if jump && !self.held { self.feel.buffer.saturating_add(1) } else { self.wish };
-        self.held = jump;
+        self.memory.away = if stands { 0 } else { self.memory.away.saturating_add(1) };
+        self.memory.wall_age = self.memory.wall_age.saturating_add(1);
+        self.memory.wish =
+            if jump && !self.memory.held { self.feel.buffer.saturating_add(1) } else { self.memory.wish };
+        self.memory.held = jump;
     }
 
     /// Running and gravity.
@@ -77,7 +78,8 @@ impl<B: Body> Character<B> {
         let base_fall = self.downward(base.y);
         // Off a sinking solid it falls faster by the solid's speed; above a rising one no slower.
         let fastest = feel.fall.saturating_add(base_fall.max(Fx::ZERO));
-        let against_wall = self.wall_age <= 1 && run.signum() == Fx::from(self.wall) && self.wall != 0;
+        let against_wall =
+            self.memory.wall_age <= 1 && run.signum() == Fx::from(self.memory.wall) && self.memory.wall != 0;
         let limit = feel.wall_slide.filter(|_| against_wall).map_or(fastest, |slide| slide.min(feel.fall));
         let falls = self.falls().saturating_add(self.pull()).min(limit);
         let run = toward(self.velocity.x.saturating_sub(base.x), run, rate);
@@ -87,29 +89,30 @@ impl<B: Body> Character<B> {
     /// Jumps off the floor, or off a wall, if it can. Returns whether it does.
     fn jump(&mut self, speeds: &mut Speeds, may_leave_floor: bool, stands: bool) -> bool {
         let feel = &self.feel;
-        let off_floor = may_leave_floor && (stands || self.away <= feel.coyote);
-        let off_wall = feel.wall_jump.filter(|_| self.wall != 0 && self.wall_age <= feel.coyote.saturating_add(1));
+        let off_floor = may_leave_floor && (stands || self.memory.away <= feel.coyote);
+        let off_wall =
+            feel.wall_jump.filter(|_| self.memory.wall != 0 && self.memory.wall_age <= feel.coyote.saturating_add(1));
         if !off_floor && off_wall.is_none() {
             return false;
         }
         // A jump takes no upward speed away, which a spring or a ramp gave. It is cut only if its
         // own speed is the larger one.
         if let Some(push) = off_wall.filter(|_| !off_floor) {
-            speeds.run = if self.wall > 0 { push.saturating_neg() } else { push };
-            (self.base, speeds.fall) = (Vec2::ZERO, speeds.falls);
+            speeds.run = if self.memory.wall > 0 { push.saturating_neg() } else { push };
+            (self.memory.base, speeds.fall) = (Vec2::ZERO, speeds.falls);
         }
         let jump = self.feel.jump.saturating_neg();
-        self.jumps = speeds.fall >= jump;
+        self.memory.jumps = speeds.fall >= jump;
         speeds.fall = speeds.fall.min(jump);
-        (self.wish, self.away, self.wall) = (0, u8::MAX, 0);
+        (self.memory.wish, self.memory.away, self.memory.wall) = (0, u8::MAX, 0);
         true
     }
 
     /// Cuts the rise of a jump whose button was released.
     fn cut_rise(&mut self, speeds: &mut Speeds, jump: bool) {
-        self.wish = self.wish.saturating_sub(1);
-        self.jumps &= speeds.fall < 0;
-        if self.jumps && !jump {
+        self.memory.wish = self.memory.wish.saturating_sub(1);
+        self.memory.jumps &= speeds.fall < 0;
+        if self.memory.jumps && !jump {
             speeds.fall = speeds.fall.max(self.feel.jump_cut.saturating_neg());
         }
     }
@@ -122,9 +125,9 @@ impl<B: Body> Character<B> {
     fn count_drop(&mut self, drops: bool, carry: Vec2, fall: Fx) {
         if drops && self.ridden().is_some() {
             let sinks = self.downward(carry.y).max(Fx::ZERO);
-            self.through = self.feel.snap.saturating_add(sinks).saturating_add(Fx::DELTA);
+            self.memory.through = self.feel.snap.saturating_add(sinks).saturating_add(Fx::DELTA);
         }
-        self.through = if fall > 0 { self.through.saturating_sub(fall).max(Fx::ZERO) } else { Fx::ZERO };
+        self.memory.through = if fall > 0 { self.memory.through.saturating_sub(fall).max(Fx::ZERO) } else { Fx::ZERO };
     }
 }
 

@@ -140,12 +140,14 @@ impl<B: Body> Character<B> {
         solids: &mut [M],
         input: Input,
     ) -> Result<Step, RangeError> {
-        let mut next = *self;
-        let ridden = next.ride_on(level, solids, input.drop);
+        let body = self.body;
+        let ridden = self.ride_on(level, solids, input.drop);
         M::move_each(solids);
-        let step = next.walk_on(level, solids, input, ridden)?;
-        *self = next;
-        Ok(step)
+        let step = self.walk_on(level, solids, input, ridden);
+        if step.is_err() {
+            self.body = body;
+        }
+        step
     }
 
     /// Moves several characters for one frame among the same solids, each as

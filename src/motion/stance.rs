@@ -54,10 +54,10 @@ impl<B> Character<B> {
     #[must_use]
     pub const fn wall(&self) -> Option<Axis> {
         // The next step counts one frame more, and lets it jump up to one more than these.
-        if self.wall_age > self.feel.coyote {
+        if self.memory.wall_age > self.feel.coyote {
             return None;
         }
-        match self.wall {
+        match self.memory.wall {
             0 => None,
             1.. => Some(Axis::NEG_X),
             _ => Some(Axis::X),

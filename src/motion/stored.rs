@@ -1,5 +1,6 @@
 //! Movers and walkers, the hero, and memos.
 
+use super::character::Memory;
 use super::feel::Feel;
 use super::inside::StartInside;
 use super::memo::Memo;
@@ -80,15 +81,7 @@ struct Hero<B> {
     body: B,
     limits: Aabb,
     floor: Option<Support>,
-    base: Vec2,
-    through: Fx,
-    left: Fx,
-    held: bool,
-    jumps: bool,
-    wish: u8,
-    away: u8,
-    wall: i8,
-    wall_age: u8,
+    memory: Memory,
 }
 
 /// The fields that a character and its form have in common, copied from one to the other.
@@ -101,15 +94,7 @@ macro_rules! fields {
             body: $from.body,
             limits: $from.limits,
             floor: $from.floor,
-            base: $from.base,
-            through: $from.through,
-            left: $from.left,
-            held: $from.held,
-            jumps: $from.jumps,
-            wish: $from.wish,
-            away: $from.away,
-            wall: $from.wall,
-            wall_age: $from.wall_age,
+            memory: $from.memory,
         }
     };
 }
@@ -122,7 +107,7 @@ impl<B: Copy> StoredForm<Character<B>> for Hero<B> {
     }
 
     fn check(self) -> Result<Character<B>, Self::Fault> {
-        if !(-1..=1).contains(&self.wall) {
+        if !(-1..=1).contains(&self.memory.wall) {
             return Err("the side of its last wall is -1, 0 or 1");
         }
         if self.floor.is_some_and(|floor| floor.axis.is_zero()) {

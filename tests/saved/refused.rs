@@ -77,7 +77,7 @@ fn parts_of_games() {
     refused::<Surface>(&rubber(), "/rest", json!(1u32 << 31), &["Surface", "rest"]);
     let (hero, standing) = (heroes()[0], heroes().into_iter().find(Character::on_floor).unwrap());
     refused::<Character>(&hero, "/version", json!(255), &["version 255 is unknown"]);
-    refused::<Character>(&hero, "/wall", json!(2), &["Character", "wall"]);
+    refused::<Character>(&hero, "/memory/wall", json!(2), &["Character", "wall"]);
     refused::<Character>(&hero, "/limits/min/x/bits", json!(EDGE), &["Aabb", "Width"]);
     refused::<Character>(&standing, "/floor/axis", json!({"x": 0, "y": 0}), &["Character", "no normal"]);
     refused::<Character>(&standing, "/floor/axis/y", json!(i32::MIN), &["Character", "i32::MIN"]);

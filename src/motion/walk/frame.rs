@@ -110,34 +110,47 @@ impl Walker {
         floor: Option<Support>,
     ) -> Result<Walked<B>, MoveError> {
         let mut moved = Moved::freely(*body, velocity, 0);
+        let Footing { floor, met_floor, stepped, snapped } = self.walk_in_place(world, &mut moved, floor)?;
+        Ok(Walked { moved, floor, met_floor, stepped, snapped })
+    }
+
+    /// [`walk`](Self::walk) for a motion that is written where it is.
+    #[inline]
+    pub(in crate::motion) fn walk_in_place<W: World, B: Body>(
+        &self,
+        world: &W,
+        moved: &mut Moved<B>,
+        floor: Option<Support>,
+    ) -> Result<Footing, MoveError> {
+        let (body, velocity) = (moved.body, moved.velocity);
         let mut around = Around::nothing();
-        let mut run = self.mover.start(world, &mut moved, &mut around)?;
+        let mut run = self.mover.start(world, moved, &mut around)?;
         let reach = self.snap.max(self.step);
         check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
-        let Footing { floor, met_floor, stepped, snapped } = self.go(world, &mut run, floor)?;
+        let footing = self.go(world, &mut run, floor)?;
         // It came to a floor that neither carries it nor lets it walk: the foot of a ramp beside
         // it, under a ceiling. That is no landing, and gravity may still have a way. A box stands
         // on every level floor that it meets.
-        let stays = floor.is_none() && run.moved.floor && run.v.is_zero();
+        let stays = footing.floor.is_none() && run.moved.floor && run.v.is_zero();
         if may_be_askew::<B, W>() && stays && run.moved.body.bounds() == body.bounds() {
-            return self.fall(world, body, velocity);
+            *moved = Moved::freely(body, velocity, 0);
+            return self.fall(world, moved);
         }
         run.end::<W>();
-        Ok(Walked { moved, floor, met_floor, stepped, snapped })
+        Ok(footing)
     }
 
     /// A frame in which floors do not end the fall.
     #[cold]
     #[inline(never)]
-    fn fall<W: World, B: Body>(&self, world: &W, body: &B, velocity: Vec2) -> Result<Walked<B>, MoveError> {
-        let mut moved = Moved::freely(*body, velocity, 0);
+    fn fall<W: World, B: Body>(&self, world: &W, moved: &mut Moved<B>) -> Result<Footing, MoveError> {
         let mut around = Around::nothing();
-        let mut run = self.mover.start(world, &mut moved, &mut around)?;
+        let mut run = self.mover.start(world, moved, &mut around)?;
         run.falls = true;
         self.mover.slide::<W, B, true>(world, &mut run, &mut First::none())?;
-        let Footing { floor, met_floor, stepped, snapped } = self.fly(world, &mut run);
+        let footing = self.fly(world, &mut run);
         run.end::<W>();
-        Ok(Walked { moved, floor, met_floor, stepped, snapped })
+        Ok(footing)
     }
 
     /// Makes the motion of a frame.

@@ -37,11 +37,11 @@ pub(super) struct Stride<'a, 'm, W, B> {
 }
 
 /// The floor at the end of a frame, and how far the body was raised by steps and pulled down.
-pub(super) struct Footing {
-    pub(super) floor: Option<Support>,
-    pub(super) met_floor: bool,
-    pub(super) stepped: Fx,
-    pub(super) snapped: Fx,
+pub(in crate::motion) struct Footing {
+    pub(in crate::motion) floor: Option<Support>,
+    pub(in crate::motion) met_floor: bool,
+    pub(in crate::motion) stepped: Fx,
+    pub(in crate::motion) snapped: Fx,
 }
 
 /// How a blocked body continues.
