@@ -134,6 +134,7 @@ programs=(
 games=(
     'game_blocks:33 bodies among blocks, coins, ladders:46500:2400:45500:2400'
     'game_ninja:a ninja among all shapes:44000:64:44000:64'
+    'game_top_down:a game seen from above:13000:64:13000:64'
     'hero_blocks:a hero among blocks:24400:136:24300:136'
     'hero_slopes:a hero among slopes:43200:136:42700:136'
     'hero_blocks_lift:a hero among blocks with a lift:37500:172:37500:172'

@@ -24,6 +24,9 @@ impl Hero {
 
     /// Walks one frame. It is as fast along a diagonal as along the axes.
     pub fn step(&mut self, world: &impl World, (x, y): (i32, i32)) -> Result<(), MoveError> {
+        if (x, y) == (0, 0) {
+            return Ok(()); // no direction
+        }
         let velocity = Axis::new(x, y).unit().scaled(Fx::from_bits(SPEED));
         let moved = Mover::new().move_and_slide(world, &self.body, velocity)?;
         let stopped = moved.body == self.body;
