@@ -22,7 +22,8 @@ const WAY: i64 = 128;
 pub const TOUCH: i64 = 8;
 /// A way must be faster than 4 raw along x or y, after its tangent was shortened by 2 raw for its
 /// roundings: `2 + 5 sqrt 2 < 10`.
-const SLOW: i128 = 10 << BITS;
+pub const SLOWEST: u8 = 10;
+const SLOW: i128 = (SLOWEST as i128) << BITS;
 
 fn fine(v: P) -> V {
     (i128::from(v.0) << BITS, i128::from(v.1) << BITS)
