@@ -43,3 +43,16 @@ fn a_capsule_between_two_corners() {
         assert!(out.v.0 < -66_000 && out.body.position().0 < 7_078_500, "{out:?}");
     }
 }
+
+/// A ball lands on a floor, passes its end and runs into a notch, whose two corners it meets at one
+/// moment. Each takes what the other leaves of the remaining velocity, so it stops. The time of the
+/// second corner has the rounding of the first, and is reported one part of 2^30 later (seed 2027).
+#[test]
+fn a_ball_in_a_notch() {
+    let level = Level::new(&["#...", "....", "#...", "...#"], 1 << 20).with_origin((11 << 20, 9 << 20));
+    let ball = Body::disc((15_335_424, 10_354_688), 3 << 19);
+    let out = check(&level, UP, Response::Slide, &ball, (-1_592_861, 1_609_245));
+    assert_eq!((out.body.position(), out.v, out.hits.len()), ((14_065_823, 11_010_048), (0, 0), 3));
+    let times: Vec<u32> = out.hits.iter().map(|hit| hit.toi.raw()).collect();
+    assert_eq!(times[2] - times[1], 1);
+}
