@@ -212,8 +212,9 @@ impl<S: Law> Mover<S> {
     /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it
     /// hits, and they change the motion exactly. So a box that lands still makes its whole sideways
     /// motion. At a slope, a corner or an arc it ends at most 2 raw early, and never inside. If it
-    /// is wedged and no lattice point near the contact is free, it ends up to 66 raw early. If none
-    /// is free there either, it ends where that piece of its motion began.
+    /// is wedged and no lattice point near the contact is free, it ends 4, 8, 16 raw or so early,
+    /// as far back as the gap requires. If none is free there either, it ends where that piece of
+    /// its motion began.
     ///
     /// The remaining velocity is the longest projection of the velocity that no surface blocks.
     /// Only surfaces that the body touches *at that position* count. Surfaces that it has left do
@@ -240,8 +241,8 @@ impl<S: Law> Mover<S> {
     /// Cost: one look at each cell under the motion, if all are empty. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A
     /// fast body needs as many look-ups even far from the map. Each sweep needs one or two exact
-    /// overlap tests; [`Moved::work`] counts them. No division instruction; one square root for
-    /// each slope (circles), corner and arc that is hit.
+    /// overlap tests, and in a gap that closes slowly up to 196; [`Moved::work`] counts them. No
+    /// division instruction; one square root for each slope (circles), corner and arc that is hit.
     ///
     /// # Errors
     /// - [`MoveError::Range`] if a velocity component or a half extent is not below 2^28 raw (4096

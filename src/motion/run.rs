@@ -67,9 +67,6 @@ pub(super) struct Checkpoint<B> {
 }
 
 impl<'m, B: Body> Run<'m, B> {
-    /// How far back from a hit the search for a free position goes, raw.
-    const FARTHEST: u32 = 64;
-
     /// The run of a body that has hit nothing yet. Parts of the level may already be known.
     #[inline]
     pub(super) fn new(moved: &'m mut Moved<B>, around: &'m mut Around) -> Self {
@@ -170,8 +167,13 @@ impl<'m, B: Body> Run<'m, B> {
         }
         // In a gap that closes slowly, there is room only farther back. Positions there are on the
         // motion's own line: the hit's is rounded away from one surface, which may be into another.
+        //
+        // The gap decides how far. A distance `s` before two corners as far apart as the body is
+        // wide, the body has `s^2 / rho` to spare: less than a raw unit over `sqrt rho`. So the
+        // search goes back to the start, in steps that double: 27 below 2^29, of seven positions
+        // each. Otherwise a way that is free for hundreds of raw units could lead nowhere.
         let (mut back, mut tried) = (0, usize::from(LONG));
-        while back < way(q).min(2 * Self::FARTHEST) {
+        while back < way(q) {
             let q = if back == 0 { q } else { part_of(d, way(q).wrapping_sub(back)) };
             for (x, y) in STEPS.into_iter().skip(tried) {
                 let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };

@@ -41,6 +41,7 @@ mod scenes;
 mod segments;
 mod shape_scenes;
 mod shapes;
+mod soak_stops;
 mod sweep;
 mod symmetry;
 mod torture;

@@ -32,8 +32,6 @@ fn early(d: P) -> i64 {
 
 /// How far a circle may end from the exact position of its reported moment, on each axis.
 pub const ASIDE: i64 = 2;
-/// How much farther back it may end if no position there is free, on the longer axis.
-const BACK: i64 = 8;
 
 /// The faults of an outcome. All conditions must hold for every response.
 pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> Result<(), String> {
@@ -226,7 +224,7 @@ pub fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) -> Resu
         Body::Disc { .. } if hit.index < 4 && free => 0,
         Body::Disc { .. } => ASIDE,
     };
-    let held = allowed > 0 && (moved == (0, 0) || aside <= ASIDE + BACK) && wedged(start, exact);
+    let held = allowed > 0 && is_on_way(moved, exact) && wedged(start, exact);
     if aside > allowed && !held {
         return Err(format!("stopped after {moved:?}, exact {exact:?}"));
     }
@@ -243,6 +241,13 @@ pub fn first_place(level: &Level, start: &Body, d: P, touched: &Outcome) -> Resu
         level.one_way(x, y) && under && before.1 <= a.1 && after.1 > a.1
     });
     if passed { Err("went through a one-way face".to_owned()) } else { Ok(()) }
+}
+
+/// Whether a place is on a way, from its start to its end, within the roundings.
+fn is_on_way(place: P, way: P) -> bool {
+    let off = i128::from(place.0) * i128::from(way.1) - i128::from(place.1) * i128::from(way.0);
+    let most = i128::from(ways::PLACE).pow(2) * len2(way);
+    off * off <= most && (0..=len2(way)).contains(&dot(place, way))
 }
 
 /// A circle that slides along one corner and reaches another may have no free lattice position

@@ -22,7 +22,8 @@ const WAY: i64 = 128;
 pub const TOUCH: i64 = 8;
 /// A way must be faster than 4 raw along x or y, after its tangent was shortened by 2 raw for its
 /// roundings: `2 + 5 sqrt 2 < 10`.
-const SLOW: i128 = 10 << BITS;
+pub const SLOWEST: u8 = 10;
+const SLOW: i128 = (SLOWEST as i128) << BITS;
 
 fn fine(v: P) -> V {
     (i128::from(v.0) << BITS, i128::from(v.1) << BITS)
@@ -135,12 +136,21 @@ pub fn off_place(out: &Outcome) -> u8 {
     if out.work.iterations as usize > out.hits.len() + 1 { PLACE + 64 } else { PLACE }
 }
 
+/// The hits before the place of the last one.
+///
+/// The time that a hit uses is rounded up, by less than one part of 2^30. So what a body touches at
+/// the place of the hit is reported up to one part later, and one more for each hit between them.
+fn before_place(out: &Outcome) -> impl Iterator<Item = &Hit> {
+    let last = out.hits.iter().last().map_or(0, |hit| hit.toi.raw());
+    let to_last = (0..out.hits.len() as u32).rev();
+    out.hits.iter().zip(to_last).filter(move |(hit, to_last)| hit.toi.raw() + to_last < last).map(|(hit, _)| hit)
+}
+
 /// The velocities that a body may have come to its last hit with, and their error: what the hits
 /// before leave of that of the call, one after the other, what leads across the gap between two of
 /// them, and what a corner that it [touched at first](at_first) leaves before them.
 fn before_last(level: &Level, start: &Body, v: P, response: Response, out: &Outcome) -> (Vec<V>, i128) {
-    let last = out.hits.iter().last().map(|hit| hit.toi);
-    let before = || obeyed(response, out).filter(|hit| Some(hit.toi) < last);
+    let before = || before_place(out).filter(|hit| response != Response::DropThrough || !hit.one_way);
     let normals: Vec<P> = before().map(axis).collect();
     let after = |u: V| normals.iter().fold(u, |u, n| along(u, *n));
     let mut all = vec![after(fine(v))];
