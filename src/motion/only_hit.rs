@@ -143,7 +143,8 @@ fn leads_along<W: World, B: Body>(world: &W, body: &B, region: &Aabb, rest: Raw,
 }
 
 /// Whether a way in a region leads along a face, in front of all solid. Blocks in front of a face
-/// are in its way.
+/// are in its way. Bodies with sides in any direction may be beside the face and reach behind its
+/// line.
 #[inline]
 fn is_before_face<W: World, B: Body>(
     world: &W,
@@ -154,7 +155,7 @@ fn is_before_face<W: World, B: Body>(
 ) -> bool {
     let Geometry::Face { a, .. } = feature.geometry else { return false };
     let line = Tangent::through(Raw::of(a), n, feature.cell);
-    W::GRID && !W::BLOCKS && leads_along(world, body, region, rest, &line)
+    W::GRID && !W::BLOCKS && !B::ANGULAR && leads_along(world, body, region, rest, &line)
 }
 
 /// The tangent where a body meets a feature, if the cell's convex solid touches no more than that.
