@@ -8,6 +8,7 @@
 //! code: a game of boxes and circles links none of it.
 
 mod across;
+mod box_pair;
 mod box_point;
 mod boxes;
 mod capsules;
@@ -15,8 +16,10 @@ mod cast;
 mod each_side;
 mod exit;
 mod face;
+mod float_margins;
 mod hint;
 mod manifold;
+mod margins;
 mod meets;
 mod near;
 mod nearness;
@@ -25,6 +28,7 @@ mod point;
 mod ray;
 mod round;
 mod short;
+mod short_boxes;
 mod short_place;
 mod short_sides;
 mod two_segments;
@@ -40,7 +44,6 @@ use crate::error::RangeError;
 use crate::num::{Fx, LONG, Raw, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use box_point::BoxPoint;
-use boxes::Parallelogram;
 use capsules::Capsules;
 use exit::Exit;
 use meets::{capsules_meet, meets_in};
@@ -135,10 +138,8 @@ fn boxes_meet<const CLOSED: bool>((a, b): &(Aabb, Aabb)) -> bool {
 /// Whether two shapes with these bounds overlap, or touch.
 #[inline]
 fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
-    if let (Some(p), Some(q)) = (a.box_sides(), b.box_sides()) {
-        // On 64-bit the bounds would take as long as the products that they save.
-        return (LONG || boxes_meet::<CLOSED>(&bounds()))
-            && Parallelogram::new(p).meets::<CLOSED>(&Parallelogram::new(q));
+    if let Some(answer) = box_pair::meet::<CLOSED>(a, b) {
+        return answer;
     }
     if let Some(near) = BoxPoint::of(a, b) {
         return (LONG || boxes_meet::<CLOSED>(&bounds())) && near.meets::<CLOSED>();
