@@ -19,7 +19,7 @@ pub(super) fn meet<const CLOSED: bool>(a: &impl Convex, b: &impl Convex) -> Opti
 
 /// Two sides of each box and the way between the middles, or half of all.
 #[inline(always)]
-fn sides(a: &impl Convex, b: &impl Convex) -> Option<[Raw; 5]> {
+pub(super) fn sides(a: &impl Convex, b: &impl Convex) -> Option<[Raw; 5]> {
     let ([u, v, p], [s, t, q]) = match (a.half_sides(), b.half_sides()) {
         (Some(a), Some(b)) => (a, b),
         _ => (a.box_sides()?, b.box_sides()?),

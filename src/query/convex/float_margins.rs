@@ -4,46 +4,8 @@
 //! takes half of the instructions of products in double words.
 
 use super::margins::spread;
+use super::two_floats::TwoFloats as Two;
 use crate::num::Raw;
-
-/// Two floats, which the compiler keeps in one register.
-#[derive(Clone, Copy)]
-struct Two([f64; 2]);
-
-#[expect(clippy::float_arithmetic, reason = "errors are bounded where the floats are compared")]
-impl Two {
-    #[inline(always)]
-    fn of(v: Raw) -> Self {
-        Self([f64::from(v.x), f64::from(v.y)])
-    }
-
-    #[inline(always)]
-    fn add(self, Self([x, y]): Self) -> Self {
-        Self([self.0[0] + x, self.0[1] + y])
-    }
-
-    #[inline(always)]
-    fn sub(self, Self([x, y]): Self) -> Self {
-        Self([self.0[0] - x, self.0[1] - y])
-    }
-
-    #[inline(always)]
-    fn cross(self, Self([x, y]): Self) -> f64 {
-        self.0[0] * y - self.0[1] * x
-    }
-
-    /// The sizes of the cross products of two sides with another vector.
-    #[inline(always)]
-    fn crosses([e, f]: [Self; 2], g: Self) -> Self {
-        Self([e.cross(g).abs(), f.cross(g).abs()])
-    }
-
-    #[inline(always)]
-    fn least(self) -> f64 {
-        let Self([x, y]) = self;
-        if x < y { x } else { y }
-    }
-}
 
 /// The least of the margins of two boxes, and the smaller one of their areas, nearly: see
 /// [`margins`](super::margins::margins).
@@ -51,11 +13,11 @@ impl Two {
 #[expect(clippy::float_arithmetic, reason = "errors are bounded where the results are compared")]
 fn least_margin(sides: [Raw; 5]) -> (f64, f64) {
     let [u, v, s, t, d] = sides.map(Two::of);
-    let (with_s, with_t) = (Two::crosses([u, v], s), Two::crosses([u, v], t));
-    let across_own = with_s.add(with_t).sub(Two::crosses([u, v], d));
+    let (with_s, with_t) = (Two::crosses([u, v], s).size(), Two::crosses([u, v], t).size());
+    let across_own = with_s.add(with_t).sub(Two::crosses([u, v], d).size());
     let Two([us, vs]) = with_s;
     let Two([ut, vt]) = with_t;
-    let across_others = Two([us + vs, ut + vt]).sub(Two::crosses([s, t], d));
+    let across_others = Two([us + vs, ut + vt]).sub(Two::crosses([s, t], d).size());
     let areas = Two([u.cross(v), s.cross(t)]);
     (Two([across_own.least(), across_others.least()]).add(areas).least(), areas.least())
 }

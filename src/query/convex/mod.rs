@@ -17,6 +17,7 @@ mod each_side;
 mod exit;
 mod face;
 mod float_margins;
+mod gaps;
 mod hint;
 mod manifold;
 mod margins;
@@ -31,6 +32,7 @@ mod short;
 mod short_boxes;
 mod short_place;
 mod short_sides;
+mod two_floats;
 mod two_segments;
 mod walk;
 
@@ -171,6 +173,15 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
     })
 }
 
+/// The distance of two cores. It is a call, so shorter ways need no saved registers.
+#[inline(never)]
+fn distance(a: &impl Convex, b: &impl Convex) -> u32 {
+    match Short::of(a, b).and_then(|both| both.distance()) {
+        Some(core) => core,
+        None => with_cores!(a, b, |a, b| place_of(a, b).distance()),
+    }
+}
+
 /// Implements all verbs of one ordered pair.
 macro_rules! pair {
     ([$($n:tt)*] $a:ty, $b:ty) => {
@@ -240,11 +251,9 @@ macro_rules! pair {
         impl<$($n)*> Distance<$b> for $a {
             #[inline]
             fn distance(&self, b: &$b) -> Fx {
-                let core = match Short::of(self, b).and_then(|both| both.distance()) {
-                    Some(core) => core,
-                    None => with_cores!(self, b, |a, b| place_of(a, b).distance()),
-                };
-                from_border(core, self.rounding().wrapping_add(b.rounding()))
+                let radius = self.rounding().wrapping_add(b.rounding());
+                let core = if LONG { short::gap(self, b) } else { None };
+                from_border(core.unwrap_or_else(|| distance(self, b)), radius)
             }
         }
     };

@@ -3,6 +3,7 @@
 use super::box_point::BoxPoint;
 use super::boxes::{self, Parallelogram};
 use super::capsules::Capsules;
+use super::{box_pair, float_margins, gaps};
 use super::nearness::Unsure;
 use crate::query::contact::Contact;
 use crate::shape::Convex;
@@ -48,5 +49,18 @@ impl Short {
             Self::Capsules(both) => both.distance(),
             Self::Boxes(a, b) => boxes::place(a, b).map(|place| place.distance()),
         }
+    }
+}
+
+/// The distance of the cores by floats, rounded down; none for other shapes.
+#[inline(always)]
+pub(super) fn gap(a: &impl Convex, b: &impl Convex) -> Option<u32> {
+    if let Some(gaps) = gaps::of_box_point(a, b) {
+        Some(gaps.distance())
+    } else if let Some(gaps) = gaps::of_capsules(a, b) {
+        Some(gaps.distance())
+    } else {
+        let sides = box_pair::sides(a, b)?;
+        if float_margins::meet::<true>(sides)? { Some(0) } else { Some(gaps::of_boxes(sides)?.distance()) }
     }
 }
