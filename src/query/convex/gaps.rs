@@ -4,6 +4,7 @@
 //! the distance is the least one of a few points and segments. For short vectors all products are
 //! exact, and only a square of them or a quotient rounds.
 
+use super::float_margins::are_short;
 use super::two_floats::TwoFloats as Two;
 use crate::num::{Raw, add128, less128, mul64, sqr64, usqr};
 use crate::shape::Convex;
@@ -29,7 +30,7 @@ impl TwoGaps {
     #[expect(clippy::float_arithmetic, reason = "where the rounding could matter, integers decide")]
     fn is_within(&self, radius: u32) -> bool {
         let Two(squares) = self.squares();
-        let limit = f64::from(radius) * f64::from(radius) * (1.0 + 1.0 / (1u64 << 48) as f64);
+        let limit = f64::from(radius) * f64::from(radius) * (1.0 + f64::EPSILON * 16.0);
         let ([h, i], [b, c], [l, m]) = (self.height.0, self.beyond.0, self.len2.0);
         (squares[0] <= limit && is_below(h, b, l, radius)) || (squares[1] <= limit && is_below(i, c, m, radius))
     }
@@ -66,14 +67,14 @@ impl<const N: usize> Gaps<N> {
     /// The distance, rounded down.
     #[inline(always)]
     pub(super) fn distance(&self) -> u32 {
-        // Distances are below 2^26, and roots are off by less than 2^-42 of that.
+        // Distances are below 2^25, and roots are off by less than 2^-42 of that.
         const NEARLY: f64 = 1.0 / (1 << 14) as f64;
         if self.meet {
             return 0;
         }
         let root = root(self.least_square());
-        let near = (root + 0.5) as i64;
-        let off = root - near as f64;
+        let near = (root + 0.5) as i32;
+        let off = root - f64::from(near);
         let is_below = if off.abs() > NEARLY { off < 0.0 } else { self.is_within(near as u32) };
         (near as u32).wrapping_sub(u32::from(is_below))
     }
@@ -86,21 +87,15 @@ fn root(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
-/// The root of a positive number, nearly: as in [`isqrt64`](crate::num::isqrt64).
+/// The root of a positive number, nearly: as in [`isqrt64`](crate::num::isqrt64), within 2^-44.
 #[cfg(not(all(feature = "libm", target_arch = "x86_64", not(tilesat_split))))]
-#[expect(clippy::float_arithmetic, reason = "the error is in the comment of the other root")]
+#[expect(clippy::float_arithmetic, reason = "where the rounding could matter, integers decide")]
 #[inline(always)]
 fn root(x: f64) -> f64 {
     let mut root = f64::from_bits((x.to_bits() >> 1).wrapping_add(0x1ff7_a3be_a91d_9b1b));
     root = 0.5 * (root + x / root);
     root = 0.5 * (root + x / root);
     0.5 * (root + x / root)
-}
-
-/// Whether vectors of these square lengths are shorter than 2^25. Then products of two are below
-/// 2^49, and a sum of eight products is below 2^52.
-fn are_short(sum: f64) -> bool {
-    sum < (1u64 << 50) as f64
 }
 
 /// A box in any direction and a circle's middle. None for other shapes, and for long vectors.
@@ -123,7 +118,7 @@ fn of_point(of: [Raw; 3], point: Raw) -> Option<Gaps<1>> {
 /// Two segments that are no points.
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "exact for short vectors")]
-pub(super) fn of_segments([p, q]: [Raw; 2], [s, t]: [Raw; 2]) -> Option<Gaps<2>> {
+fn of_segments([p, q]: [Raw; 2], [s, t]: [Raw; 2]) -> Option<Gaps<2>> {
     let (e, f, way) = (Two::of(q.sub(p)), Two::of(t.sub(s)), Two::of(s.sub(p)));
     let (turn, both, len2) = (e.cross(f), e.dot(f), Two([e.dot(e), f.dot(f)]));
     // The first ends: that of B over A, and that of A over B.
@@ -131,9 +126,7 @@ pub(super) fn of_segments([p, q]: [Raw; 2], [s, t]: [Raw; 2]) -> Option<Gaps<2>>
     let first = (Two([across.0[0], -across.0[1]]), Two([along.0[0], -along.0[1]]));
     let last = (first.0.add(Two([turn, -turn])), first.1.add(Two::both(both)));
     let half = len2.times(Two::both(0.5));
-    let gap = |(height, foot): (Two, Two)| {
-        TwoGaps { height, beyond: foot.sub(half).size().sub(half).positive(), len2 }
-    };
+    let gap = |(height, foot): (Two, Two)| TwoGaps { height, beyond: foot.sub(half).size().sub(half).positive(), len2 };
     let sides = first.0.times(last.0);
     let meet = sides.most() < 0.0;
     let is_short = are_short(len2.0[0] + len2.0[1] + way.dot(way));
@@ -161,8 +154,9 @@ pub(super) fn of_capsules(a: &impl Convex, b: &impl Convex) -> Option<Gaps<2>> {
     of_segments(a.ends()?, b.ends()?)
 }
 
-/// The nearest corners of a box to the sides of another one, in the middle of that, which are
-/// `sides`. `others` are the sides of the first box, and `way` leads to its middle.
+/// Two sides of a box and the corners of another one that are nearest to their lines; and zero if a
+/// side of both is parallel. `sides` and the next two are those of the boxes, and `way` leads from
+/// the middle of the first one to that of the other.
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "exact for short vectors")]
 fn before(sides: [Two; 2], [s, t]: [Two; 2], way: Two) -> (TwoGaps, f64) {
@@ -178,8 +172,8 @@ fn before(sides: [Two; 2], [s, t]: [Two; 2], way: Two) -> (TwoGaps, f64) {
     (TwoGaps { height, beyond: feet.size().sub(len2).positive(), len2 }, parallel)
 }
 
-/// Two boxes that do not touch, without parallel sides, from two sides of each and the way between the middles, or
-/// from half of all.
+/// Two boxes that do not touch, without parallel sides. From two sides of each and the way between
+/// the middles, or from half of all.
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "exact for short vectors")]
 pub(super) fn of_boxes(sides: [Raw; 5]) -> Option<Gaps<2>> {

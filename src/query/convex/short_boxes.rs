@@ -32,7 +32,7 @@ pub(super) fn meet([u, v, s, t, d]: [Raw; 5]) -> Option<bool> {
     }
     let shift = (32 - BITS).saturating_sub(leading_zeros32(x | y)) & 31;
     let sides = [u, v, s, t, d].map(|e| short(e, shift));
-    let [p, q, r, w] = margins(sides, short_cross, |n| nearly_size(n)).map(|m| m.wrapping_sub(OFF));
+    let [p, q, r, w] = margins(sides, short_cross, nearly_size).map(|m| m.wrapping_sub(OFF));
     if (p | q | r | w) >= 0 {
         return Some(true);
     }

@@ -54,10 +54,7 @@ impl TwoFloats {
     pub(super) const fn signed_by(self, sign: Self) -> Self {
         const SIGN: u64 = 1 << 63;
         let ([x, y], [s, t]) = (self.0, sign.0);
-        Self([
-            f64::from_bits(x.to_bits() ^ (s.to_bits() & SIGN)),
-            f64::from_bits(y.to_bits() ^ (t.to_bits() & SIGN)),
-        ])
+        Self([f64::from_bits(x.to_bits() ^ (s.to_bits() & SIGN)), f64::from_bits(y.to_bits() ^ (t.to_bits() & SIGN))])
     }
 
     #[inline(always)]
