@@ -66,6 +66,50 @@ fn near_boxes_by_floats_and_by_leading_bits() {
     assert!(enough(is_seen), "{hits} {by_floats} {long} {by_bits}");
 }
 
+/// The vector across a side of coprime components by one, by Euclid's algorithm: `e x v = 1`.
+fn across_by_one(e: Raw) -> Option<(i64, i64)> {
+    let ((mut a, mut p), (mut b, mut q)) = ((i64::from(e.x), (0, 1)), (i64::from(e.y), (-1, 0)));
+    while b != 0 {
+        let n = a / b;
+        (a, p, b, q) = (b, q, a - n * b, (p.0 - n * q.0, p.1 - n * q.1));
+    }
+    (a.abs() == 1).then_some((p.0 * a, p.1 * a))
+}
+
+/// Of long sides, a margin of a few square units: floats are off by more, and must not settle it.
+#[test]
+fn least_margins_of_large_boxes() {
+    let mut r = Random::new(85);
+    let (mut open, mut apart, mut seen) = (0u64, 0u64, 0u64);
+    for _ in 0..cases(20_000) {
+        let (a, b) = near(&mut r, 1 << 26);
+        // Nearly as long as sides can be, and with components that are mostly coprime.
+        let mut longer = |e: Raw| Raw { x: e.x * 4 + r.around(2) as i32, y: e.y * 4 + r.around(2) as i32 };
+        let [u, v, s, t, d] = BoxPair::of(&a, &b).unwrap().sides().map(&mut longer);
+        let Some(by) = across_by_one(u) else { continue };
+        let width = u.cross(v) + u.cross(s).abs() + u.cross(t).abs();
+        let sign = u.cross(d).signum();
+        // Across the side by all that it overlaps and up to nine more, and along it to the nearest
+        // such point.
+        let more = i128::from(sign * (width + r.around(2)) - u.cross(d));
+        let (x, y) = (more * i128::from(by.0), more * i128::from(by.1));
+        let turns = if u.x.abs() > u.y.abs() { x / i128::from(u.x) } else { y / i128::from(u.y) };
+        let (x, y) = (x - turns * i128::from(u.x), y - turns * i128::from(u.y));
+        let inside = |n: i128| i32::try_from(n).ok().filter(|n| n.unsigned_abs() < 1 << 31);
+        let ends = (inside(i128::from(d.x) + x), inside(i128::from(d.y) + y));
+        let (Some(x), Some(y)) = ends else { continue };
+        let d = Raw { x, y };
+        let sides = [u, v, s, t, d];
+        let (meet, touch) = (all_meet::<false>(sides), all_meet::<true>(sides));
+        assert!(float_margins::meet::<false>(sides).is_none_or(|answer| answer == meet), "{sides:?}");
+        assert!(float_margins::meet::<true>(sides).is_none_or(|answer| answer == touch), "{sides:?}");
+        seen += u64::from(float_margins::meet::<true>(sides).is_none());
+        open += u64::from(meet);
+        apart += u64::from(!touch);
+    }
+    assert!(enough(seen > 0 && open > 0 && apart > 0), "{seen} {open} {apart}");
+}
+
 /// Distances by floats are those of integers, and so are contacts of boxes.
 #[test]
 fn distances_and_contacts_by_floats() {
