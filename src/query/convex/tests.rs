@@ -53,7 +53,7 @@ fn near_boxes_by_floats_and_by_leading_bits() {
         hits += u64::from(open);
         by_floats += u64::from(touch.is_some());
         long += u64::from(touch.is_none());
-        // Leading bits settle none of these. So the other box is moved by up to a 256th of the size.
+        // Leading bits settle none of these: the other box is moved by up to a 256th of the size.
         let [u, v, s, t, d] = sides;
         let by = |r: &mut Random| r.around(size >> 8) as i32;
         let sides = [u, v, s, t, Raw { x: d.x + by(&mut r), y: d.y + by(&mut r) }];
