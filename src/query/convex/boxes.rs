@@ -1,12 +1,13 @@
 //! Whether two boxes in any direction overlap, and by which side they are nearest to apart.
 
 use super::across::across;
+use super::margins::{all_meet, exact_margins};
 use super::nearness::{Least, Nearness, Unsure};
 use super::place::{NearestCorner, NearestPart};
+use super::short_boxes;
 use super::walk::{Core, PolygonSide};
-use crate::num::{Raw, SPLIT, leading_zeros32};
+use crate::num::{LONG, Raw};
 use crate::query::contact::Contact;
-use core::ops::{Add, Sub};
 
 /// A shape with four corners and two directions: boxes, turned or not.
 pub(super) struct Parallelogram {
@@ -37,27 +38,11 @@ impl Parallelogram {
         Raw { x: twice.x >> 1, y: twice.y >> 1 }
     }
 
-    /// Their sum is its own mirror image, so each two of its sides are one question: whether the
-    /// other middle is nearer than half of the widths of both.
-    ///
-    /// On a chip the leading 14 bits mostly settle it.
     pub(super) fn meets<const CLOSED: bool>(&self, other: &Self) -> bool {
         // Below 2^31: twice the distance of two points of the domain, or near it.
-        let d = other.middle.sub(self.middle);
-        let sides = [self.u, self.v, other.u, other.v, d];
-        if SPLIT {
-            let shift = shift_to(14, sides.iter().take(4).fold(spread(d) >> 1, |bits, e| bits | spread(*e)));
-            let leading = margins(sides.map(|e| short(e, shift)), |e, f| short_cross(e, f).wrapping_abs());
-            let least = leading.iter().fold(i32::MAX, |least, m| least.min(*m));
-            // A component loses less than one. So a product of two sides is off by less than the
-            // sum of their components and one, 2^16 + 1. One with `d` is off by less than 2^16 +
-            // 2^15 + 1, and the sum of four by less than this.
-            if least.wrapping_abs() > 5 << 16 {
-                return least > 0;
-            }
-        }
-        let margins = margins(sides, |e, f| e.cross(f).wrapping_abs());
-        margins.iter().all(|m| if CLOSED { *m >= 0 } else { *m > 0 })
+        let sides = [self.u, self.v, other.u, other.v, other.middle.sub(self.middle)];
+        let settled = if LONG { None } else { short_boxes::meet(sides) };
+        settled.unwrap_or_else(|| all_meet::<CLOSED>(sides))
     }
 }
 
@@ -68,7 +53,7 @@ impl Parallelogram {
 pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<PolygonSide>, Unsure> {
     let d = q.middle.sub(p.middle);
     let sides = [p.u, p.v, q.u, q.v];
-    let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());
+    let margins = exact_margins([p.u, p.v, q.u, q.v, d]);
     let mut best = Least::new();
     for (k, (side, margin)) in sides.into_iter().zip(margins).enumerate() {
         if margin <= 0 {
@@ -89,7 +74,7 @@ pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Pol
 pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<NearestPart> {
     let d = q.middle.sub(p.middle);
     let sides = [p.u, p.v, q.u, q.v];
-    let margins = margins([p.u, p.v, q.u, q.v, d], |e, f| e.cross(f).wrapping_abs());
+    let margins = exact_margins([p.u, p.v, q.u, q.v, d]);
     let mut nearest = NearestCorner::none();
     for (k, (side, margin)) in sides.into_iter().zip(margins).enumerate() {
         if margin <= 0 {
@@ -135,41 +120,4 @@ fn side_toward(
         ((i, begin), (i, end))
     };
     (PolygonSide { from: p.corner(i).sub(q.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }, end)
-}
-
-/// The bits of the sizes of both components, or of one less.
-pub(super) const fn spread(v: Raw) -> u32 {
-    ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
-}
-
-/// How far to shift numbers that these bits bound, so they fit the given number of bits and a sign.
-pub(super) const fn shift_to(count: u32, bits: u32) -> u32 {
-    (32 - count).saturating_sub(leading_zeros32(bits)) & 31
-}
-
-pub(super) const fn short(v: Raw, shift: u32) -> Raw {
-    Raw { x: v.x >> shift, y: v.y >> shift }
-}
-
-/// A cross product of components whose product is below 2^30.
-pub(super) const fn short_cross(e: Raw, f: Raw) -> i32 {
-    e.x.wrapping_mul(f.y).wrapping_sub(e.y.wrapping_mul(f.x))
-}
-
-/// For each of the four directions of sides, the widths of two parallelograms across it together,
-/// less twice the distance of their middles. `size` is that of a cross product; `d` is twice the
-/// way between the middles.
-///
-/// Exact ones are below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
-fn margins<T: Copy + Add<Output = T> + Sub<Output = T>>(
-    [u, v, s, t, d]: [Raw; 5],
-    size: impl Fn(Raw, Raw) -> T,
-) -> [T; 4] {
-    let (own, others) = (size(u, v), size(s, t));
-    let (us, ut, vs, vt) = (size(u, s), size(u, t), size(v, s), size(v, t));
-    let across_u = own + us + ut - size(u, d);
-    let across_v = own + vs + vt - size(v, d);
-    let across_s = others + us + vs - size(s, d);
-    let across_t = others + ut + vt - size(t, d);
-    [across_u, across_v, across_s, across_t]
 }

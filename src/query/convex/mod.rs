@@ -8,6 +8,8 @@
 //! code: a game of boxes and circles links none of it.
 
 mod across;
+mod box_contact;
+mod box_pair;
 mod box_point;
 mod boxes;
 mod capsules;
@@ -15,8 +17,11 @@ mod cast;
 mod each_side;
 mod exit;
 mod face;
+mod float_margins;
+mod gaps;
 mod hint;
 mod manifold;
+mod margins;
 mod meets;
 mod near;
 mod nearness;
@@ -25,8 +30,12 @@ mod point;
 mod ray;
 mod round;
 mod short;
+mod short_boxes;
 mod short_place;
 mod short_sides;
+#[cfg(test)]
+mod tests;
+mod two_floats;
 mod two_segments;
 mod walk;
 
@@ -39,8 +48,8 @@ use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
 use crate::num::{Fx, LONG, Raw, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
+use box_pair::BoxPair;
 use box_point::BoxPoint;
-use boxes::Parallelogram;
 use capsules::Capsules;
 use exit::Exit;
 use meets::{capsules_meet, meets_in};
@@ -135,10 +144,8 @@ fn boxes_meet<const CLOSED: bool>((a, b): &(Aabb, Aabb)) -> bool {
 /// Whether two shapes with these bounds overlap, or touch.
 #[inline]
 fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
-    if let (Some(p), Some(q)) = (a.box_sides(), b.box_sides()) {
-        // On 64-bit the bounds would take as long as the products that they save.
-        return (LONG || boxes_meet::<CLOSED>(&bounds()))
-            && Parallelogram::new(p).meets::<CLOSED>(&Parallelogram::new(q));
+    if let Some(answer) = BoxPair::of(a, b).and_then(|pair| pair.meet::<CLOSED>()) {
+        return answer;
     }
     if let Some(near) = BoxPoint::of(a, b) {
         return (LONG || boxes_meet::<CLOSED>(&bounds())) && near.meets::<CLOSED>();
@@ -168,6 +175,35 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
         let bounds = known.unwrap_or_else(bounds);
         (!LONG || boxes_meet::<CLOSED>(&bounds)) && meets_in::<CLOSED>(a, b, Some(&bounds))
     })
+}
+
+/// [`contact`] as a call, so the shorter way of boxes needs no saved registers.
+#[inline(never)]
+fn contact_call<A: Convex + Overlaps<B>, B: Convex>(a: &A, b: &B) -> Option<Contact> {
+    contact(a, b)
+}
+
+/// The contact of two shapes, without floats.
+#[inline(always)]
+fn contact<A: Convex + Overlaps<B>, B: Convex>(a: &A, b: &B) -> Option<Contact> {
+    if let Some(Ok(contact)) = Short::of(a, b).map(|both| both.contact()) {
+        return contact;
+    }
+    // For capsules, the short test takes a tenth of a contact.
+    if a.ends().is_some() && b.ends().is_some() && !a.overlaps(b) {
+        return None;
+    }
+    with_cores!(a, b, |a, b| Exit::of(a, b)).map(|exit| exit.contact)
+}
+
+/// The distance of two cores. It is a call, so shorter ways need no saved registers.
+#[cfg_attr(target_pointer_width = "64", inline(never))]
+#[cfg_attr(not(target_pointer_width = "64"), inline)]
+fn distance(a: &impl Convex, b: &impl Convex) -> u32 {
+    if let Some(core) = Short::of(a, b).and_then(|both| both.distance()) {
+        return core;
+    }
+    with_cores!(a, b, |a, b| place_of(a, b).distance())
 }
 
 /// Implements all verbs of one ordered pair.
@@ -200,14 +236,10 @@ macro_rules! pair {
         impl<$($n)*> Contacts<$b> for $a {
             #[inline]
             fn contact(&self, b: &$b) -> Option<Contact> {
-                if let Some(Ok(contact)) = Short::of(self, b).map(|both| both.contact()) {
-                    return contact;
+                if LONG && BoxPair::may_be(self, b) {
+                    return box_contact::contact(self, b).unwrap_or_else(|_| contact_call(self, b));
                 }
-                // For capsules, the short test takes a tenth of a contact.
-                if self.ends().is_some() && b.ends().is_some() && !self.overlaps(b) {
-                    return None;
-                }
-                with_cores!(self, b, |a, b| Exit::of(a, b)).map(|exit| exit.contact)
+                contact(self, b)
             }
         }
 
@@ -239,11 +271,9 @@ macro_rules! pair {
         impl<$($n)*> Distance<$b> for $a {
             #[inline]
             fn distance(&self, b: &$b) -> Fx {
-                let core = match Short::of(self, b).and_then(|both| both.distance()) {
-                    Some(core) => core,
-                    None => with_cores!(self, b, |a, b| place_of(a, b).distance()),
-                };
-                from_border(core, self.rounding().wrapping_add(b.rounding()))
+                let radius = self.rounding().wrapping_add(b.rounding());
+                let core = if LONG { short::gap(self, b) } else { None };
+                from_border(core.unwrap_or_else(|| distance(self, b)), radius)
             }
         }
     };

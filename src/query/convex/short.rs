@@ -1,9 +1,11 @@
 //! The pairs of shapes that have kernels of their own for contacts and distances.
 
+use super::box_pair::BoxPair;
 use super::box_point::BoxPoint;
 use super::boxes::{self, Parallelogram};
 use super::capsules::Capsules;
 use super::nearness::Unsure;
+use super::{float_margins, gaps};
 use crate::query::contact::Contact;
 use crate::shape::Convex;
 
@@ -48,5 +50,21 @@ impl Short {
             Self::Capsules(both) => both.distance(),
             Self::Boxes(a, b) => boxes::place(a, b).map(|place| place.distance()),
         }
+    }
+}
+
+/// The distance of the cores by floats, rounded down; none for other shapes.
+#[inline(always)]
+pub(super) fn gap(a: &impl Convex, b: &impl Convex) -> Option<u32> {
+    if let Some(gaps) = gaps::of_box_point(a, b) {
+        Some(gaps.distance())
+    } else if let Some(gaps) = gaps::of_capsules(a, b) {
+        Some(gaps.distance())
+    } else {
+        // Whole sides make twice the distance. Half of that rounded down is the same number.
+        let pair = BoxPair::of(a, b)?;
+        let sides = pair.sides();
+        let far = if float_margins::meet::<true>(sides)? { 0 } else { gaps::of_boxes(sides)?.distance() };
+        Some(if pair.is_half { far } else { far >> 1 })
     }
 }

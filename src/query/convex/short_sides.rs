@@ -3,7 +3,7 @@
 //! For cores on which a long product is a call: each side against the corners of the other polygon,
 //! with products of words. It settles nearly all pairs in a third of a walk around the sum.
 
-use super::boxes::{shift_to, short, short_cross, spread};
+use super::margins::{shift_to, short, short_cross, spread};
 use super::walk::Core;
 use crate::num::Raw;
 use crate::shape::Aabb;

@@ -1,0 +1,57 @@
+//! How far the sides of two boxes are from separating them.
+//!
+//! The sum of two boxes is its own mirror image, so each two of its sides are one question: whether
+//! the other middle is nearer than half of the widths of both.
+
+use crate::num::{Raw, leading_zeros32};
+use core::ops::{Add, Sub};
+
+/// For each of the four directions of sides, the widths of two parallelograms across it together,
+/// less twice the distance of their middles. `cross` is their product, which is positive for two
+/// sides of one of them, and `size` is that of others. `d` is twice the way between the middles.
+#[inline(always)]
+pub(super) fn margins<T: Copy + Add<Output = T> + Sub<Output = T>>(
+    [u, v, s, t, d]: [Raw; 5],
+    cross: impl Fn(Raw, Raw) -> T,
+    size: impl Fn(T) -> T,
+) -> [T; 4] {
+    let (own, others) = (cross(u, v), cross(s, t));
+    let size = |e: Raw, f: Raw| size(cross(e, f));
+    let (us, ut, vs, vt) = (size(u, s), size(u, t), size(v, s), size(v, t));
+    let across_u = own + us + ut - size(u, d);
+    let across_v = own + vs + vt - size(v, d);
+    let across_s = others + us + vs - size(s, d);
+    let across_t = others + ut + vt - size(t, d);
+    [across_u, across_v, across_s, across_t]
+}
+
+/// [`margins`]: below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
+#[inline]
+pub(super) fn exact_margins(sides: [Raw; 5]) -> [i64; 4] {
+    margins(sides, Raw::cross, i64::wrapping_abs)
+}
+
+/// Whether no side of two boxes has the other box beyond it.
+#[inline(never)]
+pub(super) fn all_meet<const CLOSED: bool>(sides: [Raw; 5]) -> bool {
+    exact_margins(sides).iter().all(|m| if CLOSED { *m >= 0 } else { *m > 0 })
+}
+
+/// The bits of the sizes of both components, or of one less.
+pub(super) const fn spread(v: Raw) -> u32 {
+    ((v.x ^ (v.x >> 31)) | (v.y ^ (v.y >> 31))) as u32
+}
+
+/// How far to shift numbers that these bits bound, so they fit the given number of bits and a sign.
+pub(super) const fn shift_to(count: u32, bits: u32) -> u32 {
+    (32 - count).saturating_sub(leading_zeros32(bits)) & 31
+}
+
+pub(super) const fn short(v: Raw, shift: u32) -> Raw {
+    Raw { x: v.x >> shift, y: v.y >> shift }
+}
+
+/// A cross product of components whose product is below 2^30.
+pub(super) const fn short_cross(e: Raw, f: Raw) -> i32 {
+    e.x.wrapping_mul(f.y).wrapping_sub(e.y.wrapping_mul(f.x))
+}
