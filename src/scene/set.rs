@@ -86,17 +86,17 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 79 892 | 5 944 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 93 002 | 6 192 | 3 704 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 121 856 | 6 176 | 4 440 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 160 | 3 832 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 900 | 4 760 |
+/// | boxes and circles | 80 292 | 5 960 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 93 018 | 6 200 | 3 704 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 121 656 | 6 184 | 4 440 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 168 | 3 832 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 844 | 4 760 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 225 881 |
-/// | fly and land, at most | 435 004 |
-/// | lie in nooks of slopes, none may sleep | 844 122 |
+/// | fly and land, mean | 210 855 |
+/// | fly and land, at most | 398 202 |
+/// | lie in nooks of slopes, none may sleep | 828 945 |
 /// | the same, if the scene [remembers](Self::remembering) | 54 141 |
 /// | sleep | 58 |
 /// <!-- costs:end -->
