@@ -130,6 +130,11 @@ fn distances_and_contacts_by_floats() {
         let (e, f) = (line(p, q), line(s, t));
         told += same(short::gap(&a, &b), distance(&a, &b));
         told += same(short::gap(&e, &f), distance(&e, &f));
+        for (end, other) in [(line(p, p), &f), (line(s, s), &e)] {
+            // Without a length there is no line from which to measure.
+            same(short::gap(&end, other), distance(&end, other));
+            same(short::gap(other, &end), distance(other, &end));
+        }
         told += same(short::gap(&a, &dot(s)), distance(&a, &dot(s)));
         // A point before the first side, which is a whole length away, or nearly.
         let far = r.within(1, size / 5 + 1);
