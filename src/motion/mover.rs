@@ -247,8 +247,8 @@ impl<S: Law> Mover<S> {
     /// # Errors
     /// - [`MoveError::Range`] if a velocity component or a half extent is not below 2^28 raw (4096
     ///   units). A velocity of less than 4096 units is accepted in every direction.
-    /// - [`MoveError::Range`] if the motion, unobstructed, would leave the domain, or visits more
-    ///   than [`Mover::CELLS`] cells.
+    /// - [`MoveError::Range`] if the motion would leave the domain, unobstructed or with a new
+    ///   direction after a hit, or if it visits more than [`Mover::CELLS`] cells.
     /// - [`MoveError::Range`] at any velocity, even zero, for a body that cannot move: a slanted
     ///   capsule, one without radius, or an [`AnyShape`](crate::shape::AnyShape) without an area.
     /// - [`MoveError::Stuck`] if the body moves, already overlaps the level, and the mover

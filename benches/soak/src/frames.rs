@@ -11,6 +11,8 @@ use tilesat_judge::rooms::{P, PX, len2, mosaic};
 use tilesat_judge::shapes::level::Level;
 
 const FRAMES_A_BODY: u64 = 250;
+/// The end of the domain, raw.
+const DOMAIN: i64 = 1 << 29;
 const BODIES_A_BATCH: u64 = 20;
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Bounce, Response::DropThrough, Response::Touch];
 pub const UP: Axis = Axis::NEG_Y;
@@ -116,7 +118,13 @@ pub fn body(r: &mut Random, level: &Level, map: &TileMap<AllShapes>, largest: i6
         } else {
             body.step(&mover, map, v)
         };
-        let Ok(out) = moved else { fail("refused") };
+        let Ok(out) = moved else {
+            // In large cells, a fast body beyond the map comes to the end of the domain.
+            if may_leave_domain(body, v) {
+                return;
+            }
+            fail("refused")
+        };
         if room.overlaps(out.body, (0, 0), 0) {
             fail("ends inside");
         }
@@ -136,6 +144,12 @@ pub fn body(r: &mut Random, level: &Level, map: &TileMap<AllShapes>, largest: i6
         tally.count(matches!(body, Body::Disc(..)), out.hits.len(), out.work.iterations, out.v == (0, 0));
         (body, v) = (out.body, out.v);
     }
+}
+
+/// A hit may turn the motion in any direction. It makes it no longer.
+fn may_leave_domain(body: Body, v: P) -> bool {
+    let (((x0, y0), (x1, y1)), reach) = (body.bounds(), v.0.abs() + v.1.abs());
+    x0.min(y0) - reach <= -DOMAIN || x1.max(y1) + reach >= DOMAIN
 }
 
 /// The way to the first contact is free at every sixteenth of the motion, and so is its end.
