@@ -4,6 +4,7 @@
 use crate::room::{FINE, Room};
 use tilesat::{AllShapes, Axis, Mover, Response, Surface, TileMap};
 use tilesat_judge::Random;
+use tilesat_judge::broad::reference::DOMAIN;
 use tilesat_judge::motion as blocks;
 use tilesat_judge::rooms::body::{Body, Outcome};
 use tilesat_judge::rooms::frames::any_capsule;
@@ -11,8 +12,6 @@ use tilesat_judge::rooms::{P, PX, len2, mosaic};
 use tilesat_judge::shapes::level::Level;
 
 const FRAMES_A_BODY: u64 = 250;
-/// The end of the domain, raw.
-const DOMAIN: i64 = 1 << 29;
 const BODIES_A_BATCH: u64 = 20;
 const RESPONSES: [Response; 4] = [Response::Slide, Response::Bounce, Response::DropThrough, Response::Touch];
 pub const UP: Axis = Axis::NEG_Y;

@@ -2,6 +2,7 @@
 
 use super::clear::is_clear;
 use super::outline::{Form, FormKind};
+use super::shape_surface::corner;
 use super::{ShapeSet, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::Aabb;
@@ -55,9 +56,4 @@ fn is_form_behind(form: Form, square: (Raw, Raw), line: &Tangent, touches: bool)
         }
         FormKind::Empty | FormKind::Full | FormKind::Concave => false,
     }
-}
-
-/// The corner of a square with the larger x, or the smaller; the same of y.
-fn corner((lo, hi): (Raw, Raw), right: bool, bottom: bool) -> Raw {
-    Raw { x: if right { hi.x } else { lo.x }, y: if bottom { hi.y } else { lo.y } }
 }

@@ -283,15 +283,21 @@ fn at<V: Copy>(values: &[V; 4], k: u8) -> V {
 }
 
 /// The arc of a cell that has one.
-pub(in crate::world) const fn arc(form: Form, convex: bool, (lo, hi): (Raw, Raw)) -> Geometry {
+pub(in crate::world) const fn arc(form: Form, convex: bool, square: (Raw, Raw)) -> Geometry {
     // The centre is the solid corner of a convex arc, the opposite one of a concave one.
     let (right, bottom) = (form.right == convex, form.bottom == convex);
     Geometry::Arc {
-        centre: Raw { x: if right { hi.x } else { lo.x }, y: if bottom { hi.y } else { lo.y } }.vec2(),
-        radius: hi.x.wrapping_sub(lo.x),
+        centre: corner(square, right, bottom).vec2(),
+        radius: square.1.x.wrapping_sub(square.0.x),
         quadrant: Axis::new(if right { -1 } else { 1 }, if bottom { -1 } else { 1 }),
         convex,
     }
+}
+
+/// The corner of a square with the larger x, or the smaller; the same of y.
+#[inline]
+pub(super) const fn corner((lo, hi): (Raw, Raw), right: bool, bottom: bool) -> Raw {
+    Raw { x: if right { hi.x } else { lo.x }, y: if bottom { hi.y } else { lo.y } }
 }
 
 /// The ends of a cell's side, or its middle. Sides that end with the domain have no nodes in the
