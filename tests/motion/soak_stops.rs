@@ -56,3 +56,26 @@ fn a_ball_in_a_notch() {
     let times: Vec<u32> = out.hits.iter().map(|hit| hit.toi.raw()).collect();
     assert_eq!(times[2] - times[1], 1);
 }
+
+/// A capsule goes up between two corners exactly as far apart as it is wide. Its last sweep ends 25
+/// raw before the middle, with the velocity through the gap. 42 raw of it are against the normal of
+/// the last hit, and still it enters neither corner. 20 raw on it enters a third one, which it does
+/// not touch yet. That is a hit of the next call (seed 2029).
+#[test]
+fn a_capsule_below_a_third_corner() {
+    const CELL: i64 = 3 << 19;
+    let level = Level::new(&["#.#", "...", "...", "..#"], CELL).with_origin((12 * CELL, 10 * CELL));
+    let capsule = Body::Disc { c: (21_233_490, 17_891_560), core: (0, 15 << 17), r: 15 << 16 };
+    let v = (1_013_267, -1_334_638);
+    for response in [Response::Slide, Response::DropThrough] {
+        let out = check(&level, UP, response, &capsule, v);
+        assert_eq!((out.v, out.work.iterations), ((3 * 335_133, -4 * 335_133), Mover::ITERATIONS));
+        // The judge accepts no velocity that leads into the corner that it hit last, by however
+        // little, and no position nearer than 4 raw to the third one. There the mover would see it.
+        let says = |change: Outcome| judge(&level, &capsule, v, response, &change);
+        let into = Err("still moves into what it hit last".to_owned());
+        assert_eq!(says(Outcome { v: (out.v.0 + 1, out.v.1 + 1), ..out }), into);
+        assert_eq!(says(Outcome { body: out.body.moved((12, -16)), ..out }), Ok(()), "4.8 raw off");
+        assert_eq!(says(Outcome { body: out.body.moved((15, -20)), ..out }), into, "it touches");
+    }
+}

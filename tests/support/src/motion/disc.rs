@@ -100,9 +100,21 @@ pub fn enters_corner(level: &Level, body: &Body, d: P, until: Time) -> bool {
 
 /// Whether a circle enters the solid up to `until`.
 pub fn enters_solid(level: &Level, body: &Body, d: P, until: Time) -> bool {
+    enters_cells(level, body, d, until, |_| true)
+}
+
+/// Whether a circle enters one of the full cells that count up to `until`.
+pub fn enters_cells(level: &Level, body: &Body, d: P, until: Time, counts: impl Fn(P) -> bool) -> bool {
     let Body::Disc { c, core, r } = *body else { panic!("a circle is needed") };
     level.cells_along(body, d).any(|(x, y)| {
         let (a, b) = drawn_out(level.square(x, y), core);
-        level.full(x, y) && enters(c, r, d, a, b, until)
+        level.full(x, y) && counts((x, y)) && enters(c, r, d, a, b, until)
     })
+}
+
+/// Whether a circle is nearer to a cell than some raw units.
+pub fn is_near(level: &Level, body: &Body, (x, y): P, by: i64) -> bool {
+    let Body::Disc { c, core, r } = *body else { panic!("a circle is needed") };
+    let (a, b) = drawn_out(level.square(x, y), core);
+    overlaps(c, r + by, a, b)
 }

@@ -6,12 +6,18 @@ use super::rect::{self, First};
 use super::{P, Time, add, disc, dot, len2, path, point, ways};
 use tilesat::{Hit, Mover, Response};
 
+/// How near along its normal a surface is that binds a way up to 64 raw. The distance from it is at
+/// least as much: whatever is as near binds.
+const NEAR: i64 = 4;
+
 /// Whether a body is past what it hit last: its place beside a corner is rounded, so the tangent
 /// there may lead into the corner by less than a raw unit. Then a circle misses the corner however
-/// far it goes, or the next 64 raw units are free, up to which what is touched binds a way.
+/// far it goes, or in the next 64 raw units it enters neither the cell that it hit nor another one
+/// that is nearer than `near`. One that is farther binds no way: it is a hit of the next sweep, or
+/// of the next call.
 ///
 /// A circle in a gap that closes may have no free place as near to the corner as what is touched.
-fn is_past(level: &Level, body: &Body, v: P, hit: &Hit) -> bool {
+fn is_past(level: &Level, body: &Body, v: P, hit: &Hit, near: i64) -> bool {
     let Body::Disc { core, r, .. } = *body else { return false };
     let m = ways::from_corner(body, ways::corner(level, hit));
     let across = i128::from(m.0) * i128::from(v.1) - i128::from(m.1) * i128::from(v.0);
@@ -20,8 +26,10 @@ fn is_past(level: &Level, body: &Body, v: P, hit: &Hit) -> bool {
     let (far, way) = if way < 64 { ((v.0 * 64, v.1 * 64), way * 64) } else { (v, way) };
     let touched = i128::from(r + ways::TOUCH);
     let is_away = len2(m) > touched * touched;
+    let of_hit: P = (hit.cell.x.into(), hit.cell.y.into());
+    let binds = |cell: P| cell == of_hit || disc::is_near(level, body, cell, near);
     (hit.index >= 4 && (is_away || core == (0, 0) && misses))
-        || !disc::enters_solid(level, body, far, Time::new(64, way))
+        || !disc::enters_cells(level, body, far, Time::new(64, way), binds)
 }
 
 /// How early a call may report a circle's corner contact, in parts of 2^30: a few roundings of 31
@@ -58,15 +66,16 @@ pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcom
     let obeyed: Vec<&Hit> = out.hits.iter().filter(|h| response != Response::DropThrough || !h.one_way).collect();
     let axes: Vec<P> = obeyed.iter().map(|h| (i64::from(h.axis.x), i64::from(h.axis.y))).collect();
     if let (Some(&last), Some(hit)) = (axes.last(), obeyed.last()) {
-        // Past it where it stands now, or where it chose its way.
-        let is_past = |body: &Body| is_past(level, body, out.v, hit);
-        let was_past = || ways::place_of_last(response, out).is_some_and(|(at, _)| is_past(&at));
+        // Past it where it stands now, or where it chose its way, which is known within roundings.
+        let is_past = |body: &Body, near| is_past(level, body, out.v, hit, near);
+        let rounded = NEAR - i64::from(ways::PLACE);
+        let was_past = || ways::place_of_last(response, out).is_some_and(|(at, _)| is_past(&at, rounded));
         // Between two corners, on both sides, as far as roundings turn the line through both.
         let between = |m: &P| {
             let gap = (last.0 - m.0, last.1 - m.1);
             dot(*m, last) < 0 && dot(out.v, gap).pow(2) <= 64 * len2(gap)
         };
-        let passes = dot(out.v, last) >= 0 || is_past(&out.body) || was_past() || axes.iter().any(between);
+        let passes = dot(out.v, last) >= 0 || is_past(&out.body, NEAR) || was_past() || axes.iter().any(between);
         check(passes, "still moves into what it hit last")?;
     } else {
         check(out.v == v, "lost velocity without a hit")?;
