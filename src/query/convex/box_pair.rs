@@ -24,12 +24,13 @@ impl BoxPair {
     /// None for other shapes.
     #[inline(always)]
     pub(super) fn of(a: &impl Convex, b: &impl Convex) -> Option<Self> {
-        let pair = if let (Some(a), Some(b)) = (a.half_sides(), b.half_sides()) {
-            Self { a, b, is_half: true }
-        } else {
-            Self { a: a.box_sides()?, b: b.box_sides()?, is_half: false }
-        };
-        ((a.rounding() | b.rounding()) == 0).then_some(pair)
+        if a.half_sides().is_none() || b.half_sides().is_none() {
+            return Some(Self { a: a.box_sides()?, b: b.box_sides()?, is_half: false });
+        }
+        if (a.rounding() | b.rounding()) != 0 {
+            return None;
+        }
+        Some(Self { a: a.half_sides()?, b: b.half_sides()?, is_half: true })
     }
 
     /// Two sides of each and the way between the middles, at one scale.
