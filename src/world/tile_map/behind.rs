@@ -38,22 +38,32 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// Whether the solid of a form is behind a line: any convex one that touches it, and the next one
-/// of the same slope.
+/// Whether the convex hull of a form's solid is behind a line: of a disc only if that touches it.
 fn is_form_behind(form: Form, square: (Raw, Raw), line: &Tangent, touches: bool) -> bool {
-    match form.kind {
-        FormKind::Convex => touches,
+    let side = square.1.x.wrapping_sub(square.0.x);
+    // In the form's own frame: the ends of the hull's border, which runs from the side of u to that
+    // of v.
+    let (a, b) = match form.kind {
+        _ if touches && !matches!(form.kind, FormKind::Concave) => return true,
         FormKind::Line { p, q, k } => {
-            let turned = |part: i32, back: bool| if back { part.wrapping_neg() } else { part };
-            let half = square.1.x.wrapping_sub(square.0.x) >> 1;
-            // In the form's own frame: the normal, and a point of its edge.
-            let (u, v) = (turned(line.normal.x, form.right), turned(line.normal.y, form.bottom));
-            let (p, q, far) = (i32::from(p), i32::from(q), i32::from(k).wrapping_mul(half));
-            let (at_u, at_v) = if p == 0 { (0, far) } else { (if p == 2 { far >> 1 } else { far }, 0) };
-            let is_parallel = u >= 0 && v >= 0 && u.wrapping_mul(q) == v.wrapping_mul(p);
-            let edge = Raw { x: turned(at_u, form.right), y: turned(at_v, form.bottom) };
-            touches || (is_parallel && line.has_behind(corner(square, form.right, form.bottom).add(edge)))
+            let (p, q, far) = (i32::from(p), i32::from(q), i32::from(k).wrapping_mul(side >> 1));
+            let end = |p: i32, q: i32| {
+                let u = if p == 0 { side } else { (far >> (p - 1)).min(side) };
+                let v = if q == 0 { side } else { far.wrapping_sub(p.wrapping_mul(u)) >> (q - 1) };
+                (u, v.min(side))
+            };
+            let ((u, v), (y, x)) = (end(p, q), end(q, p));
+            (Raw { x: u, y: v }, Raw { x, y })
         }
-        FormKind::Empty | FormKind::Full | FormKind::Concave => false,
-    }
+        FormKind::Concave => (Raw { x: side, y: 0 }, Raw { x: 0, y: side }),
+        FormKind::Empty | FormKind::Full | FormKind::Convex => return false,
+    };
+    let turned = |part: i32, back: bool| if back { part.wrapping_neg() } else { part };
+    let (u, v) = (turned(line.normal.x, form.right), turned(line.normal.y, form.bottom));
+    let corner = corner(square, form.right, form.bottom);
+    let is_behind = |at: Raw| {
+        let at = Raw { x: if u > 0 { at.x } else { 0 }, y: if v > 0 { at.y } else { 0 } };
+        line.has_behind(corner.add(Raw { x: turned(at.x, form.right), y: turned(at.y, form.bottom) }))
+    };
+    if u > 0 && v > 0 { is_behind(a) && is_behind(b) } else { is_behind(if u > 0 { a } else { b }) }
 }
