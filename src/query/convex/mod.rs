@@ -150,8 +150,10 @@ fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl F
     if let Some(near) = BoxPoint::of(a, b) {
         return (LONG || boxes_meet::<CLOSED>(&bounds())) && near.meets::<CLOSED>();
     }
-    if let (true, Some(answer)) = (LONG, Capsules::of(a, b).and_then(|near| near.meet::<CLOSED>())) {
-        return answer;
+    if LONG {
+        if let Some(answer) = Capsules::of(a, b).and_then(|near| near.meet::<CLOSED>()) {
+            return answer;
+        }
     }
     meet_cores::<CLOSED>((a, b), bounds)
 }
