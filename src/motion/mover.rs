@@ -1,6 +1,6 @@
 //! The movement loop: sweep, verify, commit, respond.
 
-use super::body::Body;
+use super::body::{Body, is_by_lines};
 use super::order::First;
 use super::plane::may_be_askew;
 use super::response::{Bounce, ByFlags, ByHit, Law, Response, Responses, Smooth, Surface};
@@ -270,6 +270,10 @@ impl<S: Law> Mover<S> {
         if pieces == 0 {
             world.made(d);
             return Ok(Moved::freely(body.shifted(d), velocity, moves.into()));
+        }
+        if is_by_lines::<W, B>() {
+            // Nothing has been looked at. A state made here costs nothing if the body flies.
+            around = Around::nothing();
         }
         self.run_into(world, body, velocity, pieces, &mut around)
     }

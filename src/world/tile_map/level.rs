@@ -242,12 +242,17 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
             return self.next_cell(&mut Cells::of(range)).is_none();
         }
         let width = range.x1.wrapping_sub(range.x0).wrapping_add(1) as usize;
-        let mut first = self.place(range.x0, range.y0) as usize;
-        (range.y0..=range.y1).all(|_| {
+        let (mut y, mut first) = (range.y0, self.place(range.x0, range.y0) as usize);
+        loop {
             let row = self.data.get(first..first.wrapping_add(width));
-            first = first.wrapping_add(self.stride.into());
-            row.is_some_and(|row| row.iter().all(|&id| self.kinds.is_empty(id)))
-        })
+            if !row.is_some_and(|row| row.iter().all(|&id| self.kinds.is_empty(id))) {
+                return false;
+            }
+            if y >= range.y1 {
+                return true;
+            }
+            (y, first) = (y.wrapping_add(1), first.wrapping_add(self.stride.into()));
+        }
     }
 
     const SMALL: u32 = 64;
