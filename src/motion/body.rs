@@ -217,6 +217,11 @@ pub(super) mod kernel {
         fn meets_joints(&self) -> bool;
         /// The bounding box.
         fn bounds(&self) -> Aabb;
+        /// Its width and height. A compiler does not see that both are the diameter of a circle,
+        /// which takes 20 of the 400 instructions of a body that flies on a Cortex-M0.
+        fn extent(&self) -> Raw {
+            Raw::of(self.bounds().size())
+        }
         /// Refuses bodies with a half extent or radius of 2^28 or more.
         fn check_size(&self) -> Result<(), RangeError>;
         /// The body moved by a displacement that keeps it inside the domain.

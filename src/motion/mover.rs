@@ -291,7 +291,7 @@ impl<S: Law> Mover<S> {
     ) -> Result<Run<'m, B>, MoveError> {
         check_motion(moved.velocity, MOTION)?;
         moved.body.check_size()?;
-        check_cells(world, &moved.body.bounds(), Raw::of(moved.velocity))?;
+        check_cells(world, moved.body.extent(), Raw::of(moved.velocity))?;
         let free = is_free(around, &moved.body.bounds());
         let inside = !free && self.is_inside(world, &moved.body, &mut moved.work)?;
         let mut run = Run::new(moved, around);

@@ -6,7 +6,7 @@ use super::contact::Plane;
 use super::order::First;
 use super::plane::{into, long, project, way};
 use super::response::Smooth;
-use super::search::{Around, Search, hull, margin};
+use super::search::{Around, Search, hull, margin, margin_of};
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, LONG, Raw, Toi, mul_div};
@@ -278,7 +278,7 @@ impl<'m, B: Body> Run<'m, B> {
 /// outside and hits nothing therefore ends outside. If not all tiles are blocks, bodies without
 /// area are an exception: they may pass between two features.
 pub(super) fn is_certain<W: World, B: Body>(body: &B) -> bool {
-    W::CERTAIN && (W::BLOCKS || margin(&body.bounds()) == 0)
+    W::CERTAIN && (W::BLOCKS || margin_of(body.extent()) == 0)
 }
 
 /// What is `left` of a motion after the velocity changes, in the `rest` of the time.

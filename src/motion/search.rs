@@ -61,19 +61,19 @@ impl Around {
         d: Raw,
         looks: bool,
     ) -> Result<u32, RangeError> {
-        let bounds = body.bounds();
-        check_cells(world, &bounds, d)?;
+        let (bounds, side) = (body.bounds(), body.extent());
+        check_cells(world, side, d)?;
         // Most motions are one piece, and this is all that most bodies run.
-        let is_one = way(d) <= piece_length(world, &bounds);
+        let is_one = way(d) <= piece_length(world, side);
+        let piece = |to: Raw, margin: i32| hull(&bounds, Raw::ZERO, to, margin);
         if is_by_lines::<W, B>() || (!is_one && !looks) {
-            let empty = world.is_known_empty(&piece_of(&bounds, Raw::ZERO, d, 1));
+            let empty = world.is_known_empty(&piece(d, margin_of(side)));
             return Ok(if empty { 0 } else { 2 });
         }
-        self.region =
-            if is_one { piece_of(&bounds, Raw::ZERO, d, 1) } else { piece_of(&bounds, Raw::ZERO, Raw::ZERO, 2) };
+        self.region = if is_one { piece(d, margin_of(side)) } else { piece(Raw::ZERO, 1) };
         let inside = world.look(&self.region, Some(body.rounding()), &mut self.seen);
         if !is_one {
-            return Ok(pieces(world, &bounds, d));
+            return Ok(pieces(world, side, d));
         }
         Ok(u32::from(!self.is_empty() || !(inside || is_inside(&self.region))))
     }
@@ -130,8 +130,12 @@ fn is_inside(region: &Aabb) -> bool {
 
 /// How much bounds without area are grown to have an inside.
 pub(super) fn margin(bounds: &Aabb) -> i32 {
-    let size = Raw::of(bounds.size());
-    i32::from(size.x == 0 || size.y == 0)
+    margin_of(Raw::of(bounds.size()))
+}
+
+/// That of a body by its [extent](super::body::kernel::Kernel::extent).
+pub(super) fn margin_of(extent: Raw) -> i32 {
+    i32::from(extent.x == 0 || extent.y == 0)
 }
 
 /// The box that the inside of the bounds covers between two displacements, `margin` raw units
@@ -169,8 +173,7 @@ impl<'a, B: Body> Search<'a, B> {
         if is_by_lines::<W, B>() {
             return self.find_by_lines(world, d, first);
         }
-        let bounds = self.body.bounds();
-        self.find_in_pieces(world, pieces(world, &bounds, d), d, first);
+        self.find_in_pieces(world, pieces(world, self.body.extent(), d), d, first);
         self.find_cusp(world, d, first);
     }
 
@@ -293,8 +296,8 @@ fn part(d: Raw, k: u32, n: u32) -> Raw {
 /// than the body, or each would visit the body's own cells again. Up to half as long again is one
 /// piece: one more look-up costs less than another start. At most 2^21, for a motion below 2^29 in
 /// cells of 2^8.
-pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
-    let (longest, length) = (way(d), piece_length(world, bounds));
+pub(super) fn pieces<W: World>(world: &W, side: Raw, d: Raw) -> u32 {
+    let (longest, length) = (way(d), piece_length(world, side));
     let mut log = 0;
     while longest >> log > length {
         log += 1;
@@ -304,8 +307,7 @@ pub(super) fn pieces<W: World>(world: &W, bounds: &Aabb, d: Raw) -> u32 {
 
 /// The longest motion that is one piece.
 #[inline]
-fn piece_length<W: World>(world: &W, bounds: &Aabb) -> u32 {
-    let side = Raw::of(bounds.size());
+fn piece_length<W: World>(world: &W, side: Raw) -> u32 {
     let length = world.cell_size().max(side.x.max(side.y) as u32);
     length + (length >> 1)
 }
@@ -318,16 +320,15 @@ pub(super) const CELLS: u32 = 1 << 18;
 /// A hull of up to 256 cells a side never does: in one piece it meets at most 258 squared, in
 /// pieces longer than the body fewer.
 #[inline]
-pub(super) fn check_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
-    let side = Raw::of(bounds.size());
+pub(super) fn check_cells<W: World>(world: &W, side: Raw, d: Raw) -> Result<(), RangeError> {
     let longest = (side.x.max(side.y) as u32).wrapping_add(way(d));
-    if longest >> 8 < world.cell_size() { Ok(()) } else { count_cells(world, bounds, d) }
+    if longest >> 8 < world.cell_size() { Ok(()) } else { count_cells(world, side, d) }
 }
 
 #[inline(never)]
-fn count_cells<W: World>(world: &W, bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
-    let pieces = pieces(world, bounds, d);
-    let (side, part) = (Raw::of(bounds.size()), part(d, 1, pieces));
+fn count_cells<W: World>(world: &W, side: Raw, d: Raw) -> Result<(), RangeError> {
+    let pieces = pieces(world, side, d);
+    let part = part(d, 1, pieces);
     let along = |side: i32, part: i32| (side as u32).wrapping_add(part.unsigned_abs()).wrapping_add(3);
     let cells = umul(world.most_cells(along(side.x, part.x), along(side.y, part.y)), pieces);
     if cells <= u64::from(CELLS) {

@@ -108,6 +108,11 @@ impl Kernel for Circle {
         self.aabb()
     }
 
+    fn extent(&self) -> Raw {
+        let width = self.r().wrapping_mul(2);
+        Raw { x: width, y: width }
+    }
+
     fn check_size(&self) -> Result<(), RangeError> {
         if self.r() < MOTION { Ok(()) } else { Err(RangeError { what: Quantity::BodySize, value: self.r() }) }
     }

@@ -176,7 +176,7 @@ impl<L: Law> Mover<L> {
         starts: &mut bool,
         work: &mut Work,
     ) -> Result<Option<LevelHit>, MoveError> {
-        check_cells(level, &body.bounds(), d)?;
+        check_cells(level, body.extent(), d)?;
         check_inside(&body.bounds(), d)?;
         let mut moved = Moved::freely(*body, d.vec2(), 0);
         let mut around = Around::nothing();

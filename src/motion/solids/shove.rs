@@ -99,7 +99,7 @@ impl Shove {
     #[inline(never)]
     pub(super) fn of<W: World, B: Body>(&self, body: &B, level: &W, work: &mut Work) -> Result<B, MoveError> {
         let mut d = self.d;
-        check_cells(level, &body.bounds(), d)?;
+        check_cells(level, body.extent(), d)?;
         let mut moved = Moved::freely(*body, d.vec2(), 0);
         let mut around = Around::nothing();
         let mut run = Run::new(&mut moved, &mut around);

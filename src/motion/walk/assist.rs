@@ -57,7 +57,7 @@ impl<S: Law> Mover<S> {
         let mut moved = Moved::freely(*body, velocity, 0);
         let mut around = Around::nothing();
         let mut run = self.start(world, &mut moved, &mut around)?;
-        check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
+        check_cells(world, body.extent(), Raw { x: reach, y: reach })?;
         run.pass_one_way = self.passes_one_way();
         let aside = self.aside(world, &mut run, reach).map_or(*body, |d| body.shifted(d));
         Ok(if aside.overlaps_world(world) { *body } else { aside })

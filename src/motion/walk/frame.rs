@@ -126,7 +126,7 @@ impl Walker {
         let mut around = Around::nothing();
         let mut run = self.mover.start(world, moved, &mut around)?;
         let reach = self.snap.max(self.step);
-        check_cells(world, &body.bounds(), Raw { x: reach, y: reach })?;
+        check_cells(world, body.extent(), Raw { x: reach, y: reach })?;
         let footing = self.go(world, &mut run, floor)?;
         // It came to a floor that neither carries it nor lets it walk: the foot of a ramp beside
         // it, under a ceiling. That is no landing, and gravity may still have a way. A box stands

@@ -104,7 +104,7 @@ impl Mover {
     pub fn supported<W: World, B: Body>(&self, world: &W, body: &B) -> Result<Option<Support>, RangeError> {
         body.check_size()?;
         let around = 2 * (CONTACT + 1);
-        check_cells(world, &body.bounds(), Raw { x: around, y: around })?;
+        check_cells(world, body.extent(), Raw { x: around, y: around })?;
         let Some(up) = self.up else { return Ok(None) };
         let mut moved = Moved::freely(*body, Vec2::ZERO, 0);
         let mut around = Around::nothing();
