@@ -40,7 +40,7 @@ impl Around {
         let region = piece_of(bounds, from, to, pieces);
         if !self.has_seen(&region) {
             self.region = region;
-            world.look(&self.region, None, &mut self.seen);
+            world.look(&self.region, -1, &mut self.seen);
         }
         region
     }
@@ -71,7 +71,7 @@ impl Around {
             return Ok(if empty { 0 } else { 2 });
         }
         self.region = if is_one { piece(d, margin_of(side)) } else { piece(Raw::ZERO, 1) };
-        let inside = world.look(&self.region, Some(body.rounding()), &mut self.seen);
+        let inside = world.look(&self.region, body.rounding(), &mut self.seen);
         if !is_one {
             return Ok(pieces(world, side, d));
         }

@@ -376,11 +376,11 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
         let _ = by;
     }
 
-    /// Writes the part of a region with area that a body in it may meet. The body is any, or the
-    /// disc of radius `r` in its bounds, or fills them if `r` is 0. Returns whether the region is
-    /// known to be in the domain.
+    /// Writes the part of a region with area that a body in it may meet. The body is the disc of
+    /// radius `r` in its bounds, fills them if `r` is 0, or is any if `r` is negative: an option
+    /// would be two words. Returns whether the region is known to be in the domain.
     #[doc(hidden)]
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         let _ = r;
         *seen = Seen { held: Some(*region), cells: None };
         false

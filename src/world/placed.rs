@@ -151,7 +151,7 @@ impl<W: World> World for Placed<'_, W> {
         PlacedFeatures { features: self.world.features_ahead(&way), offset: self.offset }
     }
 
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         let there = self.seen(region);
         if !is_inside(there.lo()) || !is_inside(there.hi()) {
             *seen = Seen { held: Some(*region), cells: None };

@@ -190,7 +190,7 @@ impl<W: World> World for Traced<'_, W> {
         self.world.one_way_face(block)
     }
 
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         self.world.look(region, r, seen)
     }
 

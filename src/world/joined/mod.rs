@@ -153,7 +153,7 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
         JoinedFeatures { pair: *self, a: self.a.features_ahead(way), b: self.b.features_ahead(way) }
     }
 
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         let mut other = Seen::NOTHING;
         let known = self.a.look(region, r, seen) | self.b.look(region, r, &mut other);
         seen.cells = None;

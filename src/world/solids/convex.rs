@@ -139,7 +139,7 @@ impl<S: SolidShape> World for ConvexSolids<'_, S> {
         ConvexSolids::features(self, way.piece)
     }
 
-    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) -> bool {
+    fn look(&self, region: &Aabb, _: i32, seen: &mut Seen) -> bool {
         let all = self.list.iter().map(|solid| solid.whole);
         let near = all.filter(|e| meet::aabb_aabb::<true>(e.lo(), e.hi(), region.lo(), region.hi()));
         // A raw unit larger, for bodies without area on its border.

@@ -213,7 +213,7 @@ impl World for Solids<'_> {
         Solids::features(self, way.piece).against(way.d)
     }
 
-    fn look(&self, region: &Aabb, _: Option<i32>, seen: &mut Seen) -> bool {
+    fn look(&self, region: &Aabb, _: i32, seen: &mut Seen) -> bool {
         let mut held: Option<Aabb> = None;
         // A fold would divide by the size of a solid, which links a division.
         for solid in self.list {

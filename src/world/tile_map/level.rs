@@ -114,7 +114,7 @@ impl<S: ShapeSet, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
-    fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+    fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         TileMap::look(self, region, r, seen)
     }
 
@@ -217,7 +217,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The cells of a region that a body may meet, and the box around them; see
     /// [`World::look`](crate::world::World::look).
     #[inline(never)]
-    pub(in crate::world) fn look(&self, region: &Aabb, r: Option<i32>, seen: &mut Seen) -> bool {
+    pub(in crate::world) fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         let inside = self.range_inside(region.lo(), region.hi());
         let found = match inside {
             Some(range) => self.met(range, Range::NOWHERE, region, r),
@@ -282,7 +282,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
     /// The cells that a region that is not all inside the map meets.
     #[inline(never)]
-    fn met_beyond(&self, region: &Aabb, r: Option<i32>) -> Range {
+    fn met_beyond(&self, region: &Aabb, r: i32) -> Range {
         let range = self.open_range(region.lo(), region.hi());
         let (range, found) = match self.outside {
             Outside::Empty => (self.inside(range), Range::NOWHERE),
@@ -299,7 +299,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
     /// The cells of a range of the map that a body in the region may meet, and another range with
     /// them. The range has a cell, so both loops ask after the first one.
-    fn met(&self, range: Range, mut found: Range, region: &Aabb, r: Option<i32>) -> Range {
+    fn met(&self, range: Range, mut found: Range, region: &Aabb, r: i32) -> Range {
         let (mut y, mut row) = (range.y0, self.place(range.x0, range.y0));
         loop {
             let x0 = if T::OCCUPIED { self.next_occupied(range.x0, range.x1, y) } else { range.x0 };
@@ -323,14 +323,12 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
     /// A separate function: the walk mostly reaches empty tiles, and needs the registers.
     #[inline(never)]
-    const fn meet(&self, found: &mut Range, id: u8, (x, y): (i32, i32), region: &Aabb, r: Option<i32>) {
+    const fn meet(&self, found: &mut Range, id: u8, (x, y): (i32, i32), region: &Aabb, r: i32) {
         let kind = self.kinds.get(id);
-        let clear = match r {
-            Some(r) if S::SHAPED && !kind.is_full() => {
-                is_clear(kind.shape, self.grid.square(x, y), (region.lo(), region.hi()), r)
-            }
-            _ => false,
-        };
+        let clear = S::SHAPED
+            && r >= 0
+            && !kind.is_full()
+            && is_clear(kind.shape, self.grid.square(x, y), (region.lo(), region.hi()), r);
         if !clear {
             *found = found.with(x, y);
         }
