@@ -139,7 +139,9 @@ impl<S: Law> Mover<S> {
 /// less.
 #[inline]
 fn leads_along<W: World, B: Body>(world: &W, body: &B, region: &Aabb, rest: Raw, line: &Tangent) -> bool {
-    way(rest) >> 1 <= world.cell_size() && margin_of(body.extent()) == 0 && world.is_behind(region, body.rounding(), line)
+    way(rest) >> 1 <= world.cell_size()
+        && margin_of(body.extent()) == 0
+        && world.is_behind(region, body.rounding(), line)
 }
 
 /// Whether a way in a region leads along a face, in front of all solid. Blocks in front of a face
