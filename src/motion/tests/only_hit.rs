@@ -153,3 +153,29 @@ fn short_ways_end_where_the_general_way_does() {
         assert!(enough([free, faces, corners, more, errors].into_iter().all(|n| n > 3000)), "{seen:?}");
     }
 }
+
+/// Balls that come to a tip of a quarter pipe, in front of which is the pipe.
+#[test]
+fn tips_of_pipes_have_the_pipe_in_front() {
+    let (mut random, mut seen) = (Random::new(33), Seen::default());
+    let shapes = [
+        TileShape::ConcaveTopLeft,
+        TileShape::ConcaveTopRight,
+        TileShape::ConcaveBottomRight,
+        TileShape::ConcaveBottomLeft,
+    ];
+    let cell = 24 << 16;
+    for turn in 0..cases(20_000) {
+        let kinds = TileKinds::EMPTY.with(1, TileKind::of(shapes[turn % 4]));
+        let grid = Grid::new(3, 3, Fx::from_bits(cell), Vec2::ZERO).expect("a grid");
+        let map: TileMap<'_, AllShapes> = TileMap::of(&[0, 0, 0, 0, 1, 0, 0, 0, 0], grid, &kinds).expect("a level");
+        let r = &mut random;
+        let radius = [cell / 8, cell / 3, cell / 2][r.below(3) as usize];
+        let tip = Raw { x: cell << r.below(2), y: cell << r.below(2) };
+        let mut part = |most: i32| r.within(-i64::from(most), i64::from(most)) as i32;
+        let ball = Circle::from_raw_unchecked(tip.add(Raw { x: part(2 * radius), y: part(2 * radius) }), radius);
+        let v = Vec2::from_raw(part(2 * cell), part(2 * cell));
+        fly(&Mover::new(), &map, ball, v, (Vec2::ZERO, &mut seen));
+    }
+    assert!(enough(seen.corners > 1000 && seen.more > 50), "{seen:?}");
+}
