@@ -3,7 +3,7 @@
 use super::body::{Body, is_by_lines};
 use super::order::First;
 use super::run::{Run, check_inside};
-use super::search::{Around, Search, piece_of};
+use super::search::{Around, Search, box_here};
 use super::{Hit, Moved, Work};
 use crate::error::RangeError;
 use crate::num::{MOTION, Raw, Toi, Vec2, check_motion, mul_div};
@@ -170,8 +170,7 @@ pub(super) fn cast<W: World, B: Body>(
         search.find_on_way(world, d, &mut first) || first.is_within(0, 1)
     } else {
         search.find_first_in(world, pieces, d, &mut first);
-        let start = piece_of(&body.bounds(), Raw::ZERO, Raw::ZERO, 1);
-        W::GRID && !search.around.is_free_in_sight(&start)
+        W::GRID && !search.around.is_free_in_sight(&box_here(body))
     };
     let guarded = search.guarded;
     (work.iterations, work.features) = (1, search.features);

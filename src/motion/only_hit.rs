@@ -6,7 +6,7 @@ use super::mover::Mover;
 use super::plane::{FAR, NEAR, into, may_be_askew, project, way};
 use super::response::{Law, Response, Smooth};
 use super::run::{on_the_way, straightened, turned};
-use super::search::{Around, hull, margin_of, piece_of};
+use super::search::{Around, hull, margin, piece_of};
 use crate::num::{Axis, Raw, Toi, mul_div, umul};
 use crate::query::cast::side::along;
 use crate::shape::Aabb;
@@ -139,9 +139,7 @@ impl<S: Law> Mover<S> {
 /// less.
 #[inline]
 fn leads_along<W: World, B: Body>(world: &W, body: &B, region: &Aabb, rest: Raw, line: &Tangent) -> bool {
-    way(rest) >> 1 <= world.cell_size()
-        && margin_of(body.extent()) == 0
-        && world.is_behind(region, body.rounding(), line)
+    way(rest) >> 1 <= world.cell_size() && margin(body.extent()) == 0 && world.is_behind(region, body.rounding(), line)
 }
 
 /// Whether a way in a region leads along a face, in front of all solid. Blocks in front of a face

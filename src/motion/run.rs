@@ -6,7 +6,7 @@ use super::contact::Plane;
 use super::order::First;
 use super::plane::{into, long, project, way};
 use super::response::Smooth;
-use super::search::{Around, Search, hull, margin, margin_of};
+use super::search::{Around, Search, box_here, hull, margin};
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, LONG, Raw, Toi, mul_div};
@@ -103,7 +103,7 @@ impl<'m, B: Body> Run<'m, B> {
     /// Whether the body overlaps the level.
     pub(super) fn is_stuck<W: World>(&mut self, world: &W) -> bool {
         let body = self.moved.body;
-        !is_free(self.around, &body.bounds()) && self.overlaps(world, &body)
+        !is_free(self.around, &body) && self.overlaps(world, &body)
     }
 
     pub(super) fn here(&self) -> Checkpoint<B> {
@@ -213,8 +213,7 @@ impl<'m, B: Body> Run<'m, B> {
     #[inline(never)]
     fn take<W: World>(&mut self, world: &W, q: Raw, certain: bool) -> bool {
         let candidate = self.moved.body.shifted(q);
-        let free =
-            (certain && !self.inside) || is_free(self.around, &candidate.bounds()) || !self.overlaps(world, &candidate);
+        let free = (certain && !self.inside) || is_free(self.around, &candidate) || !self.overlaps(world, &candidate);
         debug_assert!(!free || !candidate.overlaps_world(world), "a place was taken for free");
         let takes = (free || self.inside) && (W::BLOCKS || !self.guarded || !self.passes_one_way(world, q));
         if takes {
@@ -278,7 +277,7 @@ impl<'m, B: Body> Run<'m, B> {
 /// outside and hits nothing therefore ends outside. If not all tiles are blocks, bodies without
 /// area are an exception: they may pass between two features.
 pub(super) fn is_certain<W: World, B: Body>(body: &B) -> bool {
-    W::CERTAIN && (W::BLOCKS || margin_of(body.extent()) == 0)
+    W::CERTAIN && (W::BLOCKS || margin(body.extent()) == 0)
 }
 
 /// What is `left` of a motion after the velocity changes, in the `rest` of the time.
@@ -353,9 +352,9 @@ impl Shut {
     }
 }
 
-/// Whether the level is known to leave these bounds free.
-pub(super) fn is_free(around: &Around, bounds: &Aabb) -> bool {
-    around.is_free(&hull(bounds, Raw::ZERO, Raw::ZERO, margin(bounds)))
+/// Whether the level is known to leave a body free.
+pub(super) fn is_free<B: Body>(around: &Around, body: &B) -> bool {
+    around.is_free(&box_here(body))
 }
 
 /// Refuses a motion that would leave the domain.

@@ -7,7 +7,7 @@ use super::plane::{into, way};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, DOMAIN, Raw, leading_zeros32, umul};
 use crate::shape::Aabb;
-use crate::world::{Cells, Geometry, MotionPiece, Seen, World};
+use crate::world::{ANY_BODY, Cells, Geometry, MotionPiece, Seen, World};
 
 /// A region that was looked at, and the part of it that may hold something.
 ///
@@ -40,7 +40,7 @@ impl Around {
         let region = piece_of(bounds, from, to, pieces);
         if !self.has_seen(&region) {
             self.region = region;
-            world.look(&self.region, -1, &mut self.seen);
+            world.look(&self.region, ANY_BODY, &mut self.seen);
         }
         region
     }
@@ -65,12 +65,13 @@ impl Around {
         check_cells(world, side, d)?;
         // Most motions are one piece, and this is all that most bodies run.
         let is_one = way(d) <= piece_length(world, side);
+        // As [`piece_of`], with the extent at hand: by that function it is 0.5 to 2 % more.
         let piece = |to: Raw, margin: i32| hull(&bounds, Raw::ZERO, to, margin);
         if is_by_lines::<W, B>() || (!is_one && !looks) {
-            let empty = world.is_known_empty(&piece(d, margin_of(side)));
+            let empty = world.is_known_empty(&piece(d, margin(side)));
             return Ok(if empty { 0 } else { 2 });
         }
-        self.region = if is_one { piece(d, margin_of(side)) } else { piece(Raw::ZERO, 1) };
+        self.region = if is_one { piece(d, margin(side)) } else { piece(Raw::ZERO, 1) };
         let inside = world.look(&self.region, body.rounding(), &mut self.seen);
         if !is_one {
             return Ok(pieces(world, side, d));
@@ -128,13 +129,8 @@ fn is_inside(region: &Aabb) -> bool {
     lo.x.min(lo.y) > -DOMAIN && hi.x.max(hi.y) < DOMAIN
 }
 
-/// How much bounds without area are grown to have an inside.
-pub(super) fn margin(bounds: &Aabb) -> i32 {
-    margin_of(Raw::of(bounds.size()))
-}
-
-/// That of a body by its [extent](super::body::kernel::Kernel::extent).
-pub(super) fn margin_of(extent: Raw) -> i32 {
+/// How much bounds without area, by their width and height, are grown to have an inside.
+pub(super) fn margin(extent: Raw) -> i32 {
     i32::from(extent.x == 0 || extent.y == 0)
 }
 
@@ -340,7 +336,12 @@ fn count_cells<W: World>(world: &W, side: Raw, d: Raw) -> Result<(), RangeError>
 /// The box that the inside of the bounds covers in one of the pieces of a motion. With several
 /// pieces, displacements are rounded, and the box is a raw unit larger.
 pub(super) fn piece_of(bounds: &Aabb, from: Raw, to: Raw, pieces: u32) -> Aabb {
-    hull(bounds, from, to, if pieces == 1 { margin(bounds) } else { 1 })
+    hull(bounds, from, to, if pieces == 1 { margin(Raw::of(bounds.size())) } else { 1 })
+}
+
+/// The box that the inside of a body covers where it is.
+pub(super) fn box_here<B: Body>(body: &B) -> Aabb {
+    hull(&body.bounds(), Raw::ZERO, Raw::ZERO, margin(body.extent()))
 }
 
 impl<B: Body> Search<'_, B> {

@@ -7,7 +7,7 @@ use super::order::First;
 use super::plane::{NEAR, across, into, long, may_be_askew, project, reflect, way};
 use super::response::{Law, Smooth};
 use super::run::{Run, check_inside, straightened};
-use super::search::margin_of;
+use super::search::margin;
 use super::slope_limit::SurfaceRole;
 use super::ways::{FreeWay, Ways};
 use super::{Mover, Response};
@@ -303,7 +303,7 @@ impl<B: Body> Run<'_, B> {
         let body = &self.moved.body;
         let is_shut = |way: &FreeWay| self.shut.holds(way.probe());
         let leads_out = |way: &FreeWay| into(way.v, hit) >= 0;
-        let (thin, leads) = (margin_of(body.extent()) != 0, ways.iter().any(leads_out));
+        let (thin, leads) = (margin(body.extent()) != 0, ways.iter().any(leads_out));
         let out = ways.first_free(world, body, passes, &|way| leads_out(way) && !is_shut(way));
         let free = if out.is_some() || thin {
             out

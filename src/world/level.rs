@@ -179,6 +179,9 @@ pub struct MotionPiece<'a> {
     pub(crate) joints: bool,
 }
 
+/// The rounding of a body of which only the bounds count. An option would be two words.
+pub(crate) const ANY_BODY: i32 = -1;
+
 /// The result of a look at a region.
 ///
 /// Public in a private module, because a sealed trait's method writes it.
@@ -377,8 +380,8 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
     }
 
     /// Writes the part of a region with area that a body in it may meet. The body is the disc of
-    /// radius `r` in its bounds, fills them if `r` is 0, or is any if `r` is negative: an option
-    /// would be two words. Returns whether the region is known to be in the domain.
+    /// radius `r` in its bounds, fills them if `r` is 0, or is [any](ANY_BODY). Returns whether the
+    /// region is known to be in the domain.
     #[doc(hidden)]
     fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         let _ = r;

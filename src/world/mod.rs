@@ -76,8 +76,8 @@ pub(crate) use convex::ConvexBody;
 pub use error::{SegmentFault, SegmentMapError, TileMapError};
 pub use grid::Grid;
 pub use joined::{Joined, JoinedFeatures, JoinedRayHits};
+pub(crate) use level::{ANY_BODY, MotionPiece, Seen, corners_of, ends, normal, sealed};
 pub use level::{Feature, Geometry, World};
-pub(crate) use level::{MotionPiece, Seen, corners_of, ends, normal, sealed};
 pub(crate) use lines::BlockHit;
 pub use placed::{Placed, PlacedFeatures, PlacedRayHits};
 #[cfg(feature = "defmt")]

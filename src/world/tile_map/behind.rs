@@ -40,11 +40,13 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
 /// Whether the convex hull of a form's solid is behind a line: of a disc only if that touches it.
 fn is_form_behind(form: Form, square: (Raw, Raw), line: &Tangent, touches: bool) -> bool {
+    if touches && form.kind != FormKind::Concave {
+        return true;
+    }
     let side = square.1.x.wrapping_sub(square.0.x);
     // In the form's own frame: the ends of the hull's border, which runs from the side of u to that
     // of v.
     let (a, b) = match form.kind {
-        _ if touches && !matches!(form.kind, FormKind::Concave) => return true,
         FormKind::Line { p, q, k } => {
             let (p, q, far) = (i32::from(p), i32::from(q), i32::from(k).wrapping_mul(side >> 1));
             let end = |p: i32, q: i32| {

@@ -9,7 +9,7 @@ use crate::shape::{Aabb, Circle};
 use crate::world::cell::Way;
 use crate::world::cell::{Block, Cells, Range};
 use crate::world::convex::ConvexBody;
-use crate::world::level::{Feature, MotionPiece, Seen, World, sealed};
+use crate::world::level::{ANY_BODY, Feature, MotionPiece, Seen, World, sealed};
 use crate::world::lines::{BlockHit, Lines};
 use crate::world::tangent::Tangent;
 use crate::world::tile_map::features::Features;
@@ -326,7 +326,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     const fn meet(&self, found: &mut Range, id: u8, (x, y): (i32, i32), region: &Aabb, r: i32) {
         let kind = self.kinds.get(id);
         let clear = S::SHAPED
-            && r >= 0
+            && r != ANY_BODY
             && !kind.is_full()
             && is_clear(kind.shape, self.grid.square(x, y), (region.lo(), region.hi()), r);
         if !clear {
