@@ -86,17 +86,17 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 80 124 | 5 952 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 92 922 | 6 176 | 3 680 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 121 508 | 6 160 | 4 416 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 144 | 3 832 |
+/// | boxes and circles | 80 112 | 5 944 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 92 838 | 6 184 | 3 688 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 121 448 | 6 160 | 4 416 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 152 | 3 832 |
 /// | [`AnyShape`](crate::shape::AnyShape) |  | 6 876 | 4 792 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 209 843 |
-/// | fly and land, at most | 397 009 |
-/// | lie in nooks of slopes, none may sleep | 826 865 |
+/// | fly and land, mean | 209 878 |
+/// | fly and land, at most | 397 042 |
+/// | lie in nooks of slopes, none may sleep | 827 038 |
 /// | the same, if the scene [remembers](Self::remembering) | 54 141 |
 /// | sleep | 58 |
 /// <!-- costs:end -->
