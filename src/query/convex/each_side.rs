@@ -47,7 +47,7 @@ pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Result<Option<PolygonSide>, U
             let edge = to.sub(from);
             let line = edge.cross(replace(&mut from, to));
             let begin = replace(&mut begin, end);
-            let most = other.corners.iter().fold(i64::MIN, |most, p| most.max(left_of(edge, *p)));
+            let most = reach(edge, other);
             let height = most.wrapping_sub(line);
             if height <= 0 {
                 return Ok(None);
@@ -55,10 +55,27 @@ pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Result<Option<PolygonSide>, U
             best.add(Nearness::of(height, edge.len2()), || (of_a, begin, edge, most))?;
         }
     }
-    // Which corner is as far on the left is asked of one side only.
     let (of_a, begin, edge, most) = best.get()?;
+    Ok(Some(side_of(a, b, (of_a, begin, edge), most)))
+}
+
+/// The side of the sum that is a side of one shape. Which corner of the other one is as far on its
+/// left is asked of this side only.
+fn side_of(a: Core<'_>, b: Core<'_>, (of_a, begin, edge): (bool, usize, Raw), most: i64) -> PolygonSide {
     let other = if of_a { b } else { a };
     let farthest = other.corners.iter().position(|p| left_of(edge, *p) == most).unwrap_or(0);
     let (i, j, edge) = if of_a { (begin, farthest, edge) } else { (farthest, begin, edge.reversed()) };
-    Ok(Some(PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }))
+    PolygonSide { from: a.corner(i).sub(b.corner(j)), edge, a: i, b: j, of_a, of_b: !of_a }
+}
+
+/// How far the farthest corner is on the left of an edge, times its length.
+fn reach(edge: Raw, of: Core<'_>) -> i64 {
+    of.corners.iter().fold(i64::MIN, |most, p| most.max(left_of(edge, *p)))
+}
+
+/// The side of the sum that is the side of A or of B that begins at a corner, parallel to no other.
+pub(super) fn side_from(a: Core<'_>, b: Core<'_>, of_a: bool, begin: usize) -> PolygonSide {
+    let (of, other) = if of_a { (a, b) } else { (b, a) };
+    let edge = of.corner(of.after(begin)).sub(of.corner(begin));
+    side_of(a, b, (of_a, begin, edge), reach(edge, other))
 }

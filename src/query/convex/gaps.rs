@@ -69,14 +69,12 @@ impl<const N: usize> Gaps<N> {
     pub(super) fn distance(&self) -> u32 {
         // Distances are below 2^25, and roots are off by less than 2^-42 of that.
         const NEARLY: f64 = 1.0 / (1 << 14) as f64;
-        if self.meet {
-            return 0;
-        }
         let root = root(self.least_square());
         let near = (root + 0.5) as i32;
         let off = root - f64::from(near);
         let is_below = if off.abs() > NEARLY { off < 0.0 } else { self.is_within(near as u32) };
-        (near as u32).wrapping_sub(u32::from(is_below))
+        // No branch: whether they meet is hard to predict.
+        (near as u32).wrapping_sub(u32::from(is_below)) & u32::from(self.meet).wrapping_sub(1)
     }
 }
 
@@ -98,21 +96,55 @@ fn root(x: f64) -> f64 {
     0.5 * (root + x / root)
 }
 
-/// A box in any direction and a circle's middle. None for other shapes, and for long vectors.
-#[inline(always)]
-#[expect(clippy::float_arithmetic, reason = "exact for short vectors")]
-fn of_point(of: [Raw; 3], point: Raw) -> Option<Gaps<1>> {
-    let [u, v, middle] = of;
-    let (u, v, d) = (Two::of(u), Two::of(v), Two::of(point.sub(middle)));
-    let (across, along) = (Two::crosses([u, v], d), Two::dots([u, v], d));
-    let (area, both, len2) = (u.cross(v), u.dot(v), Two([u.dot(u), v.dot(v)]));
-    // The nearer ones of each two sides. That along `u` is on the side of `v` if the point is on
-    // the left of `u`, and that along `v` on the side of `u` if it is on the right.
-    let feet = along.sub(Two([both, -both]).signed_by(across));
-    let height = across.size().sub(Two::both(area));
-    let gaps = [TwoGaps { height, beyond: feet.size().sub(len2).positive(), len2 }];
-    let meet = height.most() <= 0.0;
-    (area > 0.0 && are_short(len2.0[0] + len2.0[1] + d.dot(d))).then_some(Gaps { gaps, meet })
+/// A box in any direction and a circle's middle.
+struct BoxGaps {
+    gaps: Gaps<1>,
+    area: f64,
+    /// The square of the way between the middles.
+    way2: f64,
+}
+
+#[expect(clippy::float_arithmetic, reason = "exact for short vectors, and else bounded")]
+impl BoxGaps {
+    #[inline(always)]
+    fn of(of: [Raw; 3], point: Raw) -> Self {
+        let [u, v, middle] = of;
+        let (u, v, d) = (Two::of(u), Two::of(v), Two::of(point.sub(middle)));
+        let (across, along) = (Two::crosses([u, v], d), Two::dots([u, v], d));
+        let (area, both, len2) = (u.cross(v), u.dot(v), Two([u.dot(u), v.dot(v)]));
+        // The nearer ones of each two sides. That along `u` is on the side of `v` if the point is on
+        // the left of `u`, and that along `v` on the side of `u` if it is on the right.
+        let feet = along.sub(Two([both, -both]).signed_by(across));
+        let height = across.size().sub(Two::both(area));
+        let gaps = [TwoGaps { height, beyond: feet.size().sub(len2).positive(), len2 }];
+        Self { gaps: Gaps { gaps, meet: height.most() <= 0.0 }, area, way2: d.dot(d) }
+    }
+
+    #[inline(always)]
+    fn between(a: &impl Convex, b: &impl Convex) -> Option<Self> {
+        if let (Some(of), Some(point)) = (a.half_sides(), b.point()) {
+            Some(Self::of(of, point))
+        } else if let (Some(point), Some(of)) = (a.point(), b.half_sides()) {
+            Some(Self::of(of, point))
+        } else {
+            None
+        }
+    }
+
+    /// Whether the point is nearer than a radius. None without one, near to it, and for a box that is
+    /// less than two units wide.
+    ///
+    /// Half sides are below 2^29 and the way is below 2^30. Products are off by 2^7, heights by
+    /// 2^10 and feet by 2^11. Over a length of 2^16, that is less than a 16th of a raw unit.
+    #[inline(always)]
+    fn meet(&self, radius: i32) -> Option<bool> {
+        let [TwoGaps { height, beyond, len2 }] = self.gaps.gaps;
+        let squares = height.times(height).add(beyond.times(beyond));
+        let above = |radius: f64| squares.sub(len2.times(Two::both(radius * radius))).least();
+        let near = self.gaps.meet | (above(f64::from(radius) - 1.0 / 16.0) < 0.0);
+        let far = above(f64::from(radius) + 1.0 / 16.0) > 0.0;
+        (len2.least() > 4_294_967_296.0 && radius > 0 && (near | far)).then_some(near)
+    }
 }
 
 /// Two segments that are no points.
@@ -133,16 +165,20 @@ fn of_segments([p, q]: [Raw; 2], [s, t]: [Raw; 2]) -> Option<Gaps<2>> {
     (len2.least() > 0.0 && is_short).then_some(Gaps { gaps: [gap(first), gap(last)], meet })
 }
 
-/// A circle and a box in any direction.
+/// A circle and a box in any direction. None for other shapes, and for long vectors.
 #[inline(always)]
+#[expect(clippy::float_arithmetic, reason = "nearly")]
 pub(super) fn of_box_point(a: &impl Convex, b: &impl Convex) -> Option<Gaps<1>> {
-    if let (Some(of), Some(point)) = (a.half_sides(), b.point()) {
-        of_point(of, point)
-    } else if let (Some(point), Some(of)) = (a.point(), b.half_sides()) {
-        of_point(of, point)
-    } else {
-        None
-    }
+    let BoxGaps { gaps, area, way2 } = BoxGaps::between(a, b)?;
+    let Two([p, q]) = gaps.gaps[0].len2;
+    (area > 0.0 && are_short(p + q + way2)).then_some(gaps)
+}
+
+/// Whether a circle and a box in any direction overlap. None for other shapes, and where the rounding
+/// could matter.
+#[inline(always)]
+pub(super) fn box_point_meet(a: &impl Convex, b: &impl Convex) -> Option<bool> {
+    BoxGaps::between(a, b)?.meet(a.rounding().wrapping_add(b.rounding()))
 }
 
 /// Two capsules or segments with a length.

@@ -18,6 +18,7 @@ mod each_side;
 mod exit;
 mod face;
 mod float_margins;
+mod float_quads;
 mod gaps;
 mod hint;
 mod manifold;
@@ -147,13 +148,15 @@ fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl F
     if let Some(answer) = BoxPair::of(a, b).and_then(|pair| pair.meet::<CLOSED>()) {
         return answer;
     }
-    if let Some(near) = BoxPoint::of(a, b) {
-        return (LONG || boxes_meet::<CLOSED>(&bounds())) && near.meets::<CLOSED>();
-    }
     if LONG {
+        if let Some(answer) = gaps::box_point_meet(a, b) {
+            return answer;
+        }
         if let Some(answer) = Capsules::of(a, b).and_then(|near| near.meet::<CLOSED>()) {
             return answer;
         }
+    } else if let Some(near) = BoxPoint::of(a, b) {
+        return boxes_meet::<CLOSED>(&bounds()) && near.meets::<CLOSED>();
     }
     meet_cores::<CLOSED>((a, b), bounds)
 }
@@ -161,6 +164,11 @@ fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl F
 /// The test for all other shapes. It is a call, so shorter tests need no saved registers.
 #[inline(never)]
 fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
+    if LONG {
+        if let Some(near) = BoxPoint::of(a, b) {
+            return near.meets::<CLOSED>();
+        }
+    }
     let radius = a.rounding().wrapping_add(b.rounding());
     if let (true, Some(p), Some(q)) = (radius != 0, a.ends(), b.ends()) {
         return boxes_meet::<CLOSED>(&bounds()) && capsules_meet::<CLOSED>(p, q, radius);
@@ -172,7 +180,8 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
     }
     with_cores!(a, b, |a, b| {
         if radius == 0 && each_side::are_few(a, b) {
-            return each_side::meet::<CLOSED>(a, b);
+            let settled = if LONG { float_quads::meet(a, b) } else { None };
+            return settled.unwrap_or_else(|| each_side::meet::<CLOSED>(a, b));
         }
         let bounds = known.unwrap_or_else(bounds);
         (!LONG || boxes_meet::<CLOSED>(&bounds)) && meets_in::<CLOSED>(a, b, Some(&bounds))
@@ -195,7 +204,14 @@ fn contact<A: Convex + Overlaps<B>, B: Convex>(a: &A, b: &B) -> Option<Contact> 
     if a.ends().is_some() && b.ends().is_some() && !a.overlaps(b) {
         return None;
     }
-    with_cores!(a, b, |a, b| Exit::of(a, b)).map(|exit| exit.contact)
+    with_cores!(a, b, |a, b| {
+        if LONG {
+            if let Ok(contact) = float_quads::contact(a, b) {
+                return contact;
+            }
+        }
+        Exit::of(a, b).map(|exit| exit.contact)
+    })
 }
 
 /// The distance of two cores. It is a call, so shorter ways need no saved registers.

@@ -3,10 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "a test")]
 
 use super::box_pair::BoxPair;
+use super::box_point::BoxPoint;
+use super::exit::Exit;
 use super::margins::all_meet;
-use super::{box_contact, contact, distance, float_margins, short, short_boxes};
+use super::walk::Core;
+use super::{box_contact, contact, distance, each_side, float_margins, float_quads, gaps, short, short_boxes};
 use crate::num::Raw;
-use crate::{Axis, Capsule, Circle, Fx, OrientedBox, Vec2};
+use crate::shape::Convex;
+use crate::{Axis, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, Vec2};
 use tilesat_judge::{Random, cases, enough};
 
 fn vec((x, y): (i64, i64)) -> Vec2 {
@@ -156,4 +160,120 @@ fn distances_and_contacts_by_floats() {
     }
     let few = cases(40_000) / 20;
     assert!(enough(told > few && whole > few && deep > few), "{told} {whole} {deep}");
+}
+
+/// So many 2^30ths of a way, and some more.
+fn part(way: (i64, i64), t: i64, by: (i64, i64)) -> (i64, i64) {
+    (((way.0 * t) >> 30) + by.0, ((way.1 * t) >> 30) + by.1)
+}
+
+/// The last point on a line of 2^30 points, by number, at which something is true.
+fn last(holds: impl Fn(i64) -> bool) -> i64 {
+    let (mut inside, mut outside) = (0, 1 << 30);
+    while outside - inside > 1 {
+        let middle = (inside + outside) >> 1;
+        *(if holds(middle) { &mut inside } else { &mut outside }) = middle;
+    }
+    inside
+}
+
+/// A circle that touches a box, nearly, overlaps it by floats if it does by integers.
+#[test]
+fn circles_near_boxes_by_floats() {
+    let mut r = Random::new(86);
+    let (mut told, mut hits, mut unsure) = (0u64, 0u64, 0u64);
+    for _ in 0..cases(100_000) {
+        let size = 1 << r.within(2, 26);
+        let (a, way) = (turned(&mut r, size), (r.around(3 * size) | 1, r.around(3 * size)));
+        let radius = Fx::from_bits(r.within(0, size) as i32);
+        let at = |t: i64, by: (i64, i64)| Circle::new(vec(part(way, t, by)), radius).unwrap();
+        let touch = last(|t| BoxPoint::of(&a, &at(t, (0, 0))).is_some_and(|both| both.meets::<true>()));
+        let circle = at(touch, (r.around(3), r.around(3)));
+        let Some(both) = BoxPoint::of(&a, &circle) else { continue };
+        let (open, closed) = (both.meets::<false>(), both.meets::<true>());
+        for by_floats in [gaps::box_point_meet(&a, &circle), gaps::box_point_meet(&circle, &a)] {
+            assert!(by_floats.is_none_or(|meet| meet == open && meet == closed), "{a:?} {circle:?}");
+            told += u64::from(by_floats.is_some());
+            unsure += u64::from(by_floats.is_none());
+        }
+        hits += u64::from(open);
+    }
+    let few = cases(100_000) / 20;
+    assert!(enough(told > few && hits > few && unsure > few), "{told} {hits} {unsure}");
+}
+
+/// Four corners, one in each quadrant.
+fn quad(r: &mut Random, size: i64) -> Option<ConvexPolygon<4>> {
+    let corners =
+        [(1, 1), (-1, 1), (-1, -1), (1, -1)].map(|(x, y)| vec((x * r.within(1, size), y * r.within(1, size))));
+    ConvexPolygon::new(&corners).ok()
+}
+
+/// What floats say of two quads is what integers say.
+fn same_of_quads(a: &ConvexPolygon<4>, b: &ConvexPolygon<4>) -> (Option<bool>, bool) {
+    let (p, q) = (a.outline(), b.outline());
+    let (p, q) = (Core { corners: p, radius: 0 }, Core { corners: q, radius: 0 });
+    let by_floats = float_quads::meet(p, q);
+    let (open, closed) = (each_side::meet::<false>(p, q), each_side::meet::<true>(p, q));
+    assert!(by_floats.is_none_or(|meet| meet == open && meet == closed), "{a:?} {b:?}");
+    if let Ok(contact) = float_quads::contact(p, q) {
+        assert_eq!(contact, Exit::of(p, q).map(|exit| exit.contact), "{a:?} {b:?}");
+        return (by_floats, contact.is_some());
+    }
+    (by_floats, false)
+}
+
+/// Of all sizes and depths.
+#[test]
+fn near_quads_by_floats() {
+    let mut r = Random::new(87);
+    let (mut told, mut deep, mut unsure) = (0u64, 0u64, 0u64);
+    for _ in 0..cases(60_000) {
+        let size = 1 << r.within(2, 26);
+        let (Some(a), Some(b)) = (quad(&mut r, size), quad(&mut r, size)) else { continue };
+        let way = (r.around(4 * size) | 1, r.around(4 * size));
+        let at = |t: i64, by: (i64, i64)| b.translated(vec(part(way, t, by))).unwrap();
+        let touch = last(|t| {
+            let (p, q) = (a.outline(), at(t, (0, 0)));
+            let q = q.outline();
+            each_side::meet::<true>(Core { corners: p, radius: 0 }, Core { corners: q, radius: 0 })
+        });
+        let t = if r.one_in(2) { touch } else { r.within(0, 1 << 30) };
+        let (by_floats, is_deep) = same_of_quads(&a, &at(t, (r.around(3), r.around(3))));
+        told += u64::from(by_floats.is_some());
+        unsure += u64::from(by_floats.is_none());
+        deep += u64::from(is_deep);
+    }
+    let few = cases(60_000) / 40;
+    assert!(enough(told > few && deep > few && unsure > few), "{told} {deep} {unsure}");
+}
+
+/// Of long sides, a height of a few thousand square units.
+#[test]
+fn least_heights_of_large_quads() {
+    let mut r = Random::new(88);
+    let (mut told, mut unsure) = (0u64, 0u64);
+    for _ in 0..cases(60_000) {
+        let most = (1 << 28) - 1;
+        let (x, y) = (r.within(1 << 27, most) * r.sign(), r.within(1 << 26, most) * r.sign());
+        let e = Raw { x: x as i32, y: y as i32 };
+        let Some(by) = across_by_one(e) else { continue };
+        // A corner near the middle of the side, a little on the left of it or on the right.
+        let height = r.around(8000);
+        let across = (i128::from(by.0) * i128::from(height), i128::from(by.1) * i128::from(height));
+        let turns = (across.0 * i128::from(x) + across.1 * i128::from(y))
+            / (i128::from(x) * i128::from(x) + i128::from(y) * i128::from(y));
+        let corner = ((across.0 - turns * i128::from(x)) as i64, (across.1 - turns * i128::from(y)) as i64);
+        let right = (y / 2, -x / 2);
+        let (from, to) = ((-x, -y), (x, y));
+        let a = [from, to, (to.0 / 2 - right.0, to.1 / 2 - right.1), (from.0 / 2 - right.0, from.1 / 2 - right.1)];
+        let next = |k: i64, l: i64| (corner.0 + right.0 / 2 + x / k, corner.1 + right.1 / 2 + y / l);
+        let b = [corner, next(-4, -4), (corner.0 + right.0, corner.1 + right.1), next(4, 4)];
+        let (Ok(a), Ok(b)) = (ConvexPolygon::new(&a.map(vec)), ConvexPolygon::new(&b.map(vec))) else { continue };
+        let (by_floats, _) = same_of_quads(&a, &b);
+        told += u64::from(by_floats.is_some());
+        unsure += u64::from(by_floats.is_none());
+    }
+    let few = cases(60_000) / 40;
+    assert!(enough(told > few && unsure > few), "{told} {unsure}");
 }

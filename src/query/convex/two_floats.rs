@@ -95,6 +95,12 @@ impl TwoFloats {
         if x > y { x } else { y }
     }
 
+    /// The larger one of each two.
+    #[inline(always)]
+    pub(super) const fn greater(self, o: Self) -> Self {
+        Self([Self([self.0[0], o.0[0]]).most(), Self([self.0[1], o.0[1]]).most()])
+    }
+
     /// The smaller one of each two.
     #[inline(always)]
     pub(super) const fn less(self, o: Self) -> Self {
