@@ -22,14 +22,26 @@ fn left_of(edge: Raw, p: Vec2) -> i64 {
 
 /// Whether two polygons overlap, or touch: none is beyond a side of the other one.
 pub(super) fn meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
-    let reach_inside = |of: Core<'_>, other: Core<'_>| {
-        let mut from = of.corner(of.before(0));
-        of.corners.iter().all(|to| {
+    if let (Ok(p), Ok(q)) = (<&[Vec2; 4]>::try_from(a.corners), <&[Vec2; 4]>::try_from(b.corners)) {
+        return corners_meet::<CLOSED>(p, q);
+    }
+    corners_meet::<CLOSED>(a.corners, b.corners)
+}
+
+#[inline(always)]
+fn corners_meet<const CLOSED: bool>(a: &[Vec2], b: &[Vec2]) -> bool {
+    let reach_inside = |of: &[Vec2], other: &[Vec2]| {
+        let mut from = of.last().map_or(Raw::ZERO, |p| Raw::of(*p));
+        of.iter().all(|to| {
             let to = Raw::of(*to);
             let edge = to.sub(from);
-            let line = edge.cross(replace(&mut from, to));
-            let is_inside = |p: &Vec2| if CLOSED { left_of(edge, *p) >= line } else { left_of(edge, *p) > line };
-            other.corners.iter().any(is_inside)
+            let from = replace(&mut from, to);
+            // On a core with words of 32 bits, whether a product is negative is asked of one.
+            let is_inside = |p: &Vec2| {
+                let way = Raw::of(*p).sub(from);
+                if CLOSED { edge.cross(way) >= 0 } else { way.cross(edge) < 0 }
+            };
+            other.iter().any(is_inside)
         })
     };
     reach_inside(a, b) && reach_inside(b, a)

@@ -248,6 +248,30 @@ fn near_quads_by_floats() {
     assert!(enough(told > few && deep > few && unsure > few), "{told} {deep} {unsure}");
 }
 
+/// Two quads around one point, nearly, that are their own images after a half turn or a quarter: two
+/// sides are as near as each other, or nearly, and floats must not tell which.
+#[test]
+fn tied_sides_of_quads() {
+    let mut r = Random::new(89);
+    let (mut told, mut tied) = (0u64, 0u64);
+    for _ in 0..cases(40_000) {
+        let size = 1 << r.within(2, 27);
+        let is_quarter = r.one_in(2);
+        let turned = |r: &mut Random| {
+            let (x, y) = (r.within(1, size), r.within(0, size));
+            let (p, q) = ((x, y), if is_quarter { (-y, x) } else { (-r.within(0, size), r.within(1, size)) });
+            ConvexPolygon::<4>::new(&[p, q, (-p.0, -p.1), (-q.0, -q.1)].map(vec)).ok()
+        };
+        let (Some(a), Some(b)) = (turned(&mut r), turned(&mut r)) else { continue };
+        let b = b.translated(vec((r.around(1), r.around(1)))).unwrap();
+        let (_, is_deep) = same_of_quads(&a, &b);
+        told += u64::from(is_deep);
+        tied += u64::from(!is_deep);
+    }
+    let few = cases(40_000) / 40;
+    assert!(enough(told > few && tied > few), "{told} {tied}");
+}
+
 /// Of long sides, a height of a few thousand square units.
 #[test]
 fn least_heights_of_large_quads() {
