@@ -85,7 +85,8 @@ impl<B: Body> Search<'_, B> {
         }
         // One cursor for all cells of other shapes.
         let whole = hull(&bounds, Raw::ZERO, d, 1);
-        let mut features = world.features_of_cells(&whole, d, body.meets_joints());
+        let against = if B::NOTCHED { Raw::ZERO } else { d };
+        let mut features = world.features_of_cells(&whole, against, body.meets_joints());
         loop {
             if !sweep.is_late(&block) {
                 world.enter(&mut features, &block);

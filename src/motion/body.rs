@@ -212,6 +212,9 @@ pub(super) mod kernel {
         const MEETS_CORNERS: bool;
         /// Whether it has sides in any direction. If not, the code for them is not linked.
         const ANGULAR: bool = false;
+        /// Whether it has parts behind the front of its bounds that meet faces, as only a body with
+        /// notches has. Levels leave out what is behind the front.
+        const NOTCHED: bool = false;
         /// Whether the body needs to know how faces are joined: one with corners, or one without
         /// area.
         fn meets_joints(&self) -> bool;

@@ -250,6 +250,9 @@ impl<'a, B: Body> Search<'a, B> {
         before: Option<&Aabb>,
         d: Raw,
     ) -> W::Features<'w> {
+        if B::NOTCHED {
+            return world.features(&held.bounds);
+        }
         let (whole, joints) = (hull(&self.body.bounds(), Raw::ZERO, d, 1), self.body.meets_joints());
         world.features_ahead(&MotionPiece { piece: &held.bounds, cells: held.cells, before, whole, d, joints })
     }

@@ -152,6 +152,7 @@ impl<S: Single + Body, const M: usize> Body for Compound<S, M> {
 impl<S: Single + Body, const M: usize> Kernel for Compound<S, M> {
     const MEETS_CORNERS: bool = true;
     const ANGULAR: bool = true;
+    const NOTCHED: bool = true;
 
     fn meets_joints(&self) -> bool {
         self.parts().iter().any(Kernel::meets_joints)

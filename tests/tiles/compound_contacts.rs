@@ -11,31 +11,31 @@ use tilesat::{
 use tilesat_judge::solids::twins::KINDS;
 use tilesat_judge::{Random, cases};
 
-const SIDE: i64 = 6;
+pub(super) const SIDE: i64 = 6;
 const CELL: i64 = 16 << 16;
 const MOST: usize = 5;
-type Any = AnyShape<MOST>;
+pub(super) type Any = AnyShape<MOST>;
 
-fn raw(x: i64, y: i64) -> Vec2 {
+pub(super) fn raw(x: i64, y: i64) -> Vec2 {
     Vec2::from_raw(i32::try_from(x).unwrap(), i32::try_from(y).unwrap())
 }
 
-fn coordinate(random: &mut Random) -> i64 {
+pub(super) fn coordinate(random: &mut Random) -> i64 {
     random.within(0, 4 * SIDE) * CELL / 4 + random.around(3)
 }
 
-fn boxed(random: &mut Random, c: (i64, i64), size: i64) -> Aabb {
+pub(super) fn boxed(random: &mut Random, c: (i64, i64), size: i64) -> Aabb {
     let (w, h) = (1 + random.magnitude(size), 1 + random.magnitude(size));
     let at = (c.0 + random.around(size), c.1 + random.around(size));
     Aabb::new(raw(at.0, at.1), raw(at.0 + w, at.1 + h)).unwrap()
 }
 
-fn ball(random: &mut Random, c: (i64, i64), size: i64) -> Circle {
+pub(super) fn ball(random: &mut Random, c: (i64, i64), size: i64) -> Circle {
     let at = raw(c.0 + random.around(size), c.1 + random.around(size));
     Circle::new(at, Fx::from_bits(1 + random.magnitude(size) as i32)).unwrap()
 }
 
-fn any(random: &mut Random, c: (i64, i64), size: i64) -> Any {
+pub(super) fn any(random: &mut Random, c: (i64, i64), size: i64) -> Any {
     let near = |random: &mut Random| raw(c.0 + random.around(size), c.1 + random.around(size));
     match random.below(5) {
         0 => boxed(random, c, size).into(),

@@ -4,6 +4,7 @@
 
 mod blocks;
 mod compound_contacts;
+mod compound_motion;
 mod contacts;
 mod contacts_sources;
 mod convex;
