@@ -75,7 +75,7 @@ impl<B: Body> Character<B> {
     ///
     /// Cost: a [`Walker::walk`](crate::Walker::walk) for each of these steps, at most sixteen, and
     /// a look down for each that a box makes. For a body of 10 units at a speed of 1 that is four
-    /// walks. On a Cortex-M0 they take about seven times as long as the patrol's own step. Up to
+    /// walks. On a Cortex-M0 they take six to seven times as long as the patrol's own step. Up to
     /// twenty more follow where the floor has a gap that is nearly as wide as the box. To save
     /// time, call it in every `n`-th frame,
     /// with `far` larger by `(n - 1) * v`. If `far` and the width are more than ten times the snap,
