@@ -6,8 +6,8 @@ use crate::world::World;
 use core::cmp::Ordering;
 
 /// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`],
-/// [`Circle`], a [`Capsule`] that stands or lies, [`OrientedBox`], [`ConvexPolygon`], or an
-/// [`AnyShape`] of any of them.
+/// [`Circle`], a [`Capsule`] that stands or lies, [`OrientedBox`], [`ConvexPolygon`], an
+/// [`AnyShape`] of any of them, or a [`Compound`](crate::shape::Compound) of parts that are bodies.
 ///
 /// None of them turns during a call. A slanted capsule moves only as an [`AnyShape`]. As a
 /// `Capsule` it is refused with a [`RangeError`](crate::RangeError) of

@@ -121,8 +121,8 @@ pub struct Feel {
     /// How far the body follows falling ground: [`Walker::with_snap`](crate::Walker::with_snap).
     /// One and a half times the running speed is always enough for tiles.
     pub snap: Fx,
-    /// The highest step that the body climbs: [`Walker::with_step`](crate::Walker::with_step). The
-    /// default stops at half of a tile of 16.
+    /// The highest step that the body climbs: [`Walker::with_step`](crate::Walker::with_step). By
+    /// default it does not climb a half tile, which is 8 units high with tiles of 16.
     pub step: Fx,
     /// How fast it walks on slopes.
     pub slope_speed: SlopeSpeed,

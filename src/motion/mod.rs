@@ -1,8 +1,9 @@
 //! Motion: where a body ends up when it moves through a level.
 //!
-//! [`Mover::move_and_slide`] sweeps a box, a circle or a capsule against the level's
-//! [features](crate::world::Feature) and stops it exactly where it first touches. The [`Response`]
-//! then decides the new velocity for the rest of the motion, at most [`Mover::ITERATIONS`] times.
+//! [`Mover::move_and_slide`] sweeps a [`Body`] against the level's
+//! [features](crate::world::Feature) and stops it exactly where it first touches. A body is a box,
+//! a circle, a capsule, an oriented box, a polygon, or a compound of these. The [`Response`] then
+//! decides the new velocity for the rest of the motion, at most [`Mover::ITERATIONS`] times.
 //! Every new position passes the level's exact overlap test before it is kept (*verify, then
 //! commit*). A body that starts outside of the solid therefore ends outside of it, at any speed.
 //!

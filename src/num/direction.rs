@@ -265,6 +265,21 @@ impl UnitVec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
+    /// Both components as floating point, rounded to nearest, ties to even. Use it for drawing.
+    ///
+    /// The components are in `-1.0..=1.0`. An `f32` has 24 bits, so each is within 2^-25 of the
+    /// fixed-point one. It cannot fail.
+    ///
+    /// ```
+    /// use tilesat::Axis;
+    /// assert_eq!(Axis::new(0, -3).unit().to_f32(), (0.0, -1.0));
+    /// assert_eq!(Axis::new(3, 4).unit().to_f32(), (0.6, 0.8));
+    /// ```
+    #[must_use]
+    pub fn to_f32(self) -> (f32, f32) {
+        (self.x.to_num(), self.y.to_num())
+    }
+
     /// The vector with this direction and the given length, each component rounded toward zero. A
     /// negative length reverses it.
     ///

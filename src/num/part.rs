@@ -50,6 +50,21 @@ impl Toi {
         Fx::from_bits((self.0 >> 14) as i32)
     }
 
+    /// As floating point, rounded to nearest, ties to even. Use it for drawing.
+    ///
+    /// It is in `0.0..=1.0`, and within 2^-25 of this fraction, because an `f32` has 24 bits. A
+    /// fraction just below one may round up to `1.0`. It cannot fail.
+    ///
+    /// ```
+    /// use tilesat::Toi;
+    /// let hit = Toi::from_raw(3 << 28).unwrap();
+    /// assert_eq!((hit.to_f32(), Toi::ONE.to_f32()), (0.75, 1.0));
+    /// ```
+    #[must_use]
+    pub fn to_f32(self) -> f32 {
+        fixed::types::U2F30::from_bits(self.0).to_num()
+    }
+
     /// This fraction of a motion, each component rounded toward zero.
     #[must_use]
     pub const fn of(self, motion: Vec2) -> Vec2 {

@@ -3,8 +3,10 @@
 use super::{Axis, Fx, umul};
 
 impl Axis {
-    /// The direction at an angle in turns, counter-clockwise (y up) from +x: a quarter is +y. About
-    /// 2^30 long.
+    /// The direction at an angle in turns, from +x toward +y: a quarter is +y. About 2^30 long.
+    ///
+    /// That is counter-clockwise with y up, and clockwise on a screen. An angle in radians is
+    /// `angle / TAU` turns.
     ///
     /// Quarter turns are exact. Mirrored and turned angles give mirrored and turned directions bit
     /// for bit. Other angles are within 2^-23 of the exact direction. Whole turns change nothing:

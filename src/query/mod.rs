@@ -20,8 +20,8 @@
 //! needs at least one of the last three. [`AnyShape`](crate::shape::AnyShape) has all verbs, and a
 //! [`Compound`](crate::shape::Compound) has those of its parts. In `Contains` and `Distance`, B may
 //! also be a point ([`Vec2`](crate::Vec2)). In `CastShape`, A may be a point against boxes and
-//! circles. Each shape has a method `closest_point`, and boxes, circles and segments have
-//! `cast_ray`.
+//! circles. Each shape has the methods `closest_point` and `cast_ray`. A compound has `cast_ray`,
+//! unless its parts are segments, and no `closest_point`.
 //!
 //! Every loop has a bound, and there is no division instruction. Only casts can fail: they refuse
 //! numbers that are out of range. A translated scene gives the same bits, and a mirrored one gives

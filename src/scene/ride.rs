@@ -61,7 +61,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///   in this frame. Pass at least the motion of your fastest lift, or bodies hop on it. A slope
     ///   that moves sideways sinks, too.
     /// - **Velocities** are relative to the solid: a body that is carried keeps its velocity. If a
-    ///   body shall leave a lift with the lift's speed, [push](Self::push) it by the motion.
+    ///   body shall leave a lift with the lift's speed, [push](Self::push) it by the motion that
+    ///   the ride gave it. To find that motion, also on a solid that turns, compare the body's
+    ///   position before and after this call: [`Shape::position`](super::Shape::position).
     /// - **Piles**: a body on a carried body makes the same motion, as far as the level and the
     ///   solids allow. A body on several moves with the one that rises most, then with the smaller
     ///   key. If a solid pushes it as well, the push comes first. Other bodies do not stop a ride;

@@ -266,6 +266,24 @@ fn floating_point_and_back() {
     assert_eq!(Vec2::from_f32(x, y).map(Vec2::raw), Some((1 << 24, (1 << 24) + 4)));
 }
 
+#[test]
+fn directions_and_times_as_floating_point() {
+    // Parts of 2^30, to nearest, ties to even: a step is 2^-24 from a half to one.
+    let rounded = |raw: i32| (f64::from(raw) / f64::from(1 << 30)) as f32;
+    for raw in
+        [0, 1, 3, (1 << 24) + 1, (1 << 24) + 3, (1 << 29) + 32, (1 << 29) + 96, 644_245_094, (1 << 30) - 1, 1 << 30]
+    {
+        let time = Toi::from_raw(raw.unsigned_abs()).unwrap();
+        assert_eq!(time.to_f32().to_bits(), rounded(raw).to_bits());
+    }
+    for (x, y) in [(1, 0), (0, -1), (3, 4), (-1, 2), (i32::MAX, 1), (-7, -7)] {
+        let unit = Axis::new(x, y).unit();
+        let (raw, (x, y)) = (unit.raw(), unit.to_f32());
+        assert_eq!([x, y].map(f32::to_bits), [raw.0, raw.1].map(|c| rounded(c).to_bits()));
+    }
+    assert_eq!(Toi::from_raw((1 << 30) - 1).map(Toi::to_f32), Some(1.0));
+}
+
 /// The doc tests show the refusals of `fx!`.
 #[test]
 fn literals_are_constants() {

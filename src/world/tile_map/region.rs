@@ -53,7 +53,7 @@ impl<S: ShapeSet, T: Store> Iterator for Tiles<'_, S, T> {
 
 impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The tiles whose inside meets the region. A region that is exactly one tile gives only that
-    /// tile.
+    /// tile. For a body that is no box pass its bounding box, such as `&ball.aabb()`.
     ///
     /// Every tile of the map counts, solid or not; cells outside the map are not reported. A region
     /// without width on a line between two columns gives both, and likewise for rows. So it misses
@@ -270,6 +270,8 @@ pub(in crate::world) fn bounds_of_way<B: Probe>(shape: &B, motion: Vec2) -> Resu
 }
 
 /// A shape that [`TileMap::flags_touched`] takes: a box, a circle or a point. Sealed.
+///
+/// For another shape pass its bounding box, such as [`Capsule::aabb`](crate::Capsule::aabb).
 pub trait Probe: probe::Probe {}
 
 impl Probe for Aabb {}

@@ -40,6 +40,7 @@ fn scalars() {
         |raw: u32| Toi::from_raw(raw);
         |t: Toi| t.raw();
         |t: Toi| t.to_fx();
+        |t: Toi| t.to_f32();
         |t: Toi, motion: Vec2| t.of(motion);
     }
 }
@@ -103,6 +104,7 @@ fn vectors() {
         |a: Axis| a.length_squared();
         |u: UnitVec2| (u.x(), u.y(), u.raw());
         |u: UnitVec2, length: Fx| u.scaled(length);
+        |u: UnitVec2| u.to_f32();
     }
 }
 
