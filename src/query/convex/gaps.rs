@@ -112,8 +112,8 @@ impl BoxGaps {
         let (u, v, d) = (Two::of(u), Two::of(v), Two::of(point.sub(middle)));
         let (across, along) = (Two::crosses([u, v], d), Two::dots([u, v], d));
         let (area, both, len2) = (u.cross(v), u.dot(v), Two([u.dot(u), v.dot(v)]));
-        // The nearer ones of each two sides. That along `u` is on the side of `v` if the point is on
-        // the left of `u`, and that along `v` on the side of `u` if it is on the right.
+        // The nearer ones of each two sides. That along `u` is on the side of `v` if the point is
+        // on the left of `u`, and that along `v` on the side of `u` if it is on the right.
         let feet = along.sub(Two([both, -both]).signed_by(across));
         let height = across.size().sub(Two::both(area));
         let gaps = [TwoGaps { height, beyond: feet.size().sub(len2).positive(), len2 }];
@@ -131,8 +131,8 @@ impl BoxGaps {
         }
     }
 
-    /// Whether the point is nearer than a radius. None without one, near to it, and for a box that is
-    /// less than two units wide.
+    /// Whether the point is nearer than a radius. None without one, near to it, and for a box that
+    /// is less than two units wide.
     ///
     /// Half sides are below 2^29 and the way is below 2^30. Products are off by 2^7, heights by
     /// 2^10 and feet by 2^11. Over a length of 2^16, that is less than a 16th of a raw unit.
@@ -174,8 +174,8 @@ pub(super) fn of_box_point(a: &impl Convex, b: &impl Convex) -> Option<Gaps<1>> 
     (area > 0.0 && are_short(p + q + way2)).then_some(gaps)
 }
 
-/// Whether a circle and a box in any direction overlap. None for other shapes, and where the rounding
-/// could matter.
+/// Whether a circle and a box in any direction overlap. None for other shapes, and where the
+/// rounding could matter.
 #[inline(always)]
 pub(super) fn box_point_meet(a: &impl Convex, b: &impl Convex) -> Option<bool> {
     BoxGaps::between(a, b)?.meet(a.rounding().wrapping_add(b.rounding()))

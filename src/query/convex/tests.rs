@@ -248,8 +248,8 @@ fn near_quads_by_floats() {
     assert!(enough(told > few && deep > few && unsure > few), "{told} {deep} {unsure}");
 }
 
-/// Two quads around one point, nearly, that are their own images after a half turn or a quarter: two
-/// sides are as near as each other, or nearly, and floats must not tell which.
+/// Two quads around one point, nearly, that are their own images after a half turn or a quarter.
+/// Two sides are as near as each other, or nearly, and floats must not tell which.
 #[test]
 fn tied_sides_of_quads() {
     let mut r = Random::new(89);
