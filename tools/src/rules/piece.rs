@@ -142,6 +142,13 @@ pub(super) fn as_path(shape: TileShape, tile: u16) -> Vec<Path> {
     stretched(shape, Frame::new(tile.into(), tile.into()))
 }
 
+/// So many full columns and rows as a path, from this cell on.
+pub(super) fn block(at: (i32, i32), size: (i32, i32), tile: u16) -> Vec<Path> {
+    let pixels = |cells: i32| i64::from(cells) * i64::from(tile);
+    let (x, y) = (Decimal::whole(pixels(at.0)), Decimal::whole(pixels(at.1)));
+    stretched(TileShape::Full, Frame { x, y, ..Frame::new(pixels(size.0), pixels(size.1)) })
+}
+
 /// A shape of the library in a box. Arcs become chords.
 fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
     // Exact for all corners, which are at halves of a cell.

@@ -1,0 +1,84 @@
+//! Tiles larger or smaller than a cell, and tiles of several shapes: all that the editor draws is
+//! there, as cells or as polygons.
+
+use tilesat::TileShape;
+use tilesat_tools::rules::flags::Flags;
+use tilesat_tools::rules::ground::Ground;
+use tilesat_tools::rules::options::Options;
+use tilesat_tools::read;
+
+use crate::support::scratch;
+
+type Corners = Vec<(i64, i64)>;
+
+fn ground(name: &str, text: &str) -> Ground {
+    let levels = read::load(&scratch("large", name, text), None).unwrap();
+    Ground::of(&levels.maps[0], &Options::default(), &mut Flags::default()).unwrap()
+}
+
+/// A map of 8 x 6 cells of 16 pixels, with this tileset, tiles at these cells, and objects.
+fn map(tileset: &str, placed: &[(usize, usize, u32)], objects: &str) -> String {
+    let mut cells = vec!["0".to_owned(); 48];
+    for &(x, y, gid) in placed {
+        cells[8 * y + x] = gid.to_string();
+    }
+    format!(
+        r#"<map version="1.10" orientation="orthogonal" width="8" height="6" tilewidth="16" tileheight="16">
+ <tileset firstgid="1" name="t" tilecount="4" columns="4" {tileset}</tileset>
+ <layer id="1" name="tiles" width="8" height="6"><data encoding="csv">{}</data></layer>
+ <objectgroup id="2" name="things">{objects}</objectgroup>
+</map>"#,
+        cells.join(",")
+    )
+}
+
+/// The cells of which this is true, by column and row.
+fn cells(ground: &Ground, is: impl Fn(&tilesat::TileKind) -> bool) -> Vec<(usize, usize)> {
+    let width = usize::from(ground.width);
+    ground.cells.iter().enumerate().filter(|(_, kind)| is(kind)).map(|(i, _)| (i % width, i / width)).collect()
+}
+
+fn full(ground: &Ground) -> Vec<(usize, usize)> {
+    cells(ground, |kind| kind.shape == TileShape::Full)
+}
+
+/// The corners of each outline in tenths of a pixel, sorted.
+fn corners(ground: &Ground) -> Vec<Corners> {
+    let tenths = |raw: i64| (raw * 10 + 32768).div_euclid(65536);
+    let sorted = |points: &Corners| {
+        let mut points: Corners = points.iter().map(|p| (tenths(p.0), tenths(p.1))).collect();
+        points.sort_unstable();
+        points
+    };
+    let mut all: Vec<Corners> = ground.outlines.iter().map(|outline| sorted(&outline.points)).collect();
+    all.sort_unstable();
+    all
+}
+
+/// The corners of a box of these pixels.
+fn square(x: i64, y: i64, w: i64, h: i64) -> Corners {
+    [(x, y), (x, y + h), (x + w, y), (x + w, y + h)].map(|p| (p.0 * 10, p.1 * 10)).to_vec()
+}
+
+const LARGE: &str = r#"tilewidth="32" tileheight="32""#;
+
+/// Beyond the grid no cell can hold them.
+#[test]
+fn parts_beyond_the_grid_are_polygons() {
+    let set = format!(r#"{LARGE}><tile id="0" type="Solid"/>"#);
+    let found = ground("edge.tmx", &map(&set, &[(2, 0, 1), (7, 4, 1)], ""));
+    assert_eq!(full(&found), [(2, 0), (3, 0), (7, 3), (7, 4)]);
+    assert_eq!(corners(&found), [square(32, -16, 32, 16), square(128, 48, 16, 32)]);
+    // In a corner, it is one polygon.
+    let found = ground("corner.tmx", &map(&set, &[(7, 0, 1)], ""));
+    let corner = [(112, -16), (144, -16), (144, 16), (128, 16), (128, 0), (112, 0)].map(|p| (p.0 * 10, p.1 * 10));
+    let mut corner = corner.to_vec();
+    corner.sort_unstable();
+    assert_eq!((full(&found), corners(&found)), (vec![(7, 0)], vec![corner]));
+    // With its flags.
+    let set = format!(
+        r#"{LARGE}><tile id="0" type="Solid"><properties><property name="Kill" type="bool" value="true"/></properties></tile>"#
+    );
+    let found = ground("flags.tmx", &map(&set, &[(2, 0, 1)], ""));
+    assert_eq!(found.outlines[0].flags, ["Kill"]);
+}
