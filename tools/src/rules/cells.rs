@@ -28,6 +28,8 @@ pub(super) struct Sheet<'a> {
     pub(super) tiles: &'a Tiles,
     pub(super) pieces: HashMap<u32, Piece>,
     pub(super) flags: HashMap<u32, Vec<String>>,
+    /// The cells of the entries that have flags.
+    pub(super) flagged: HashMap<u32, piece::Block>,
 }
 
 /// A grid in pixels of the map: the first corner of its cells, and their size.
@@ -162,8 +164,11 @@ impl Cells {
             };
             let at = (from.0 + i64::from(x - sheet.tiles.at.0), from.1 + i64::from(y - sheet.tiles.at.1));
             if mask != 0 {
-                if let Some(kind) = self.kind(at) {
-                    *kind = TileKind::of(kind.shape).with_flags(kind.flags | mask);
+                let ((dx, dy), size) = sheet.flagged.get(&cell).copied().unwrap_or(((0, 0), (1, 1)));
+                for cell in self.split((at.0 + i64::from(dx), at.1 + i64::from(dy)), size).0 {
+                    if let Some(kind) = self.kind(cell) {
+                        *kind = TileKind::of(kind.shape).with_flags(kind.flags | mask);
+                    }
                 }
             }
             match piece {

@@ -18,6 +18,9 @@ use crate::model::map::{Map, Placed};
 use crate::model::object::{Form, Object, Spot, Stamp, raw};
 use crate::model::tileset::Tileset;
 
+/// A cell relative to that of a tile, and columns and rows from it on.
+pub(super) type Block = ((i32, i32), (i32, i32));
+
 /// The area that a tile fills.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Piece {
@@ -58,6 +61,25 @@ impl Frame {
         Self { x: Decimal::ZERO, y: Decimal::ZERO, width, height }
     }
 
+    /// Of a tile in a layer with cells of this side.
+    fn of(map: &Map, set: &Tileset, id: u32, flip: Flip, side: i64) -> Self {
+        let (w, h) = set.size_of(id);
+        let fits = map.values || set.fits_grid || w == 0 || h == 0;
+        let (width, height) = match (fits, flip.diagonal) {
+            (true, _) => (side, side),
+            (false, true) => (h.into(), w.into()),
+            (false, false) => (w.into(), h.into()),
+        };
+        // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn at
+        // another size scales its offset with it.
+        let offset = |by: i32, own: u32| match own {
+            1.. if fits => Decimal::whole(by.into()).scaled(side as u32, own),
+            _ => Decimal::whole(by.into()),
+        };
+        let (x, y) = (offset(set.offset.0, w), Decimal::whole(side - height) + offset(set.offset.1, h));
+        Self { x, y, width, height }
+    }
+
     fn corners(&self) -> (Spot, Spot) {
         let end = (self.x + Decimal::whole(self.width), self.y + Decimal::whole(self.height));
         ((self.x, self.y), end)
@@ -72,6 +94,22 @@ impl Frame {
     }
 }
 
+/// The cells that a tile is drawn on, relative to its own: the first one, columns and rows. Those
+/// whose middle it covers, and at least one.
+pub(super) fn drawn_on(map: &Map, placed: &Placed, tile: u16) -> Block {
+    let side = i64::from(tile);
+    let &Placed::Tile { tileset, id, flip } = placed else { return ((0, 0), (1, 1)) };
+    let (from, to) = Frame::of(map, &map.tilesets[tileset], id, flip, side).corners();
+    let side = side.max(1) << 16;
+    let along = |from: Decimal, to: Decimal| {
+        let middle = |v: Decimal| (v.raw() + side / 2 - 1).div_euclid(side);
+        let (first, end) = (middle(from), middle(to));
+        if first < end { (first as i32, (end - first) as i32) } else { (0, 1) }
+    };
+    let (columns, rows) = (along(from.0, to.0), along(from.1, to.1));
+    ((columns.0, rows.0), (columns.1, rows.1))
+}
+
 /// The area that a tile of a layer with cells of `tile` pixels fills. Welds drawn corners by up to
 /// `weld` raw units.
 pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness, weld: i64) -> Piece {
@@ -81,22 +119,7 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
         return if let Solid::Shape(shape) = solid { Piece::Shape(shape) } else { Piece::Paths(Vec::new()) };
     };
     let set = &map.tilesets[tileset];
-    let (w, h) = set.size_of(id);
-    let own = (i64::from(w), i64::from(h));
-    let fits = map.values || set.fits_grid || w == 0 || h == 0;
-    let (width, height) = match (fits, flip.diagonal) {
-        (true, _) => (side, side),
-        (false, true) => (own.1, own.0),
-        (false, false) => own,
-    };
-    // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn at
-    // another size scales its offset with it.
-    let offset = |by: i32, own: u32| match own {
-        1.. if fits => Decimal::whole(by.into()).scaled(side as u32, own),
-        _ => Decimal::whole(by.into()),
-    };
-    let (x, y) = (offset(set.offset.0, w), Decimal::whole(side - height) + offset(set.offset.1, h));
-    let frame = Frame { x, y, width, height };
+    let frame = Frame::of(map, set, id, flip, side);
     match solid {
         Solid::Shape(shape) if frame == cell => Piece::Shape(shape),
         Solid::Shape(shape) => match frame.cells(side).filter(|_| shape == TileShape::Full) {
@@ -106,7 +129,8 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
         Solid::Drawn => {
             let shapes = set.tiles.get(&id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
             // A tile that is drawn as large as a cell scales its shapes with it.
-            let size = if w == 0 || h == 0 { (side, side) } else { own };
+            let (w, h) = set.size_of(id);
+            let size = if w == 0 || h == 0 { (side, side) } else { (i64::from(w), i64::from(h)) };
             let mut paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
             for path in paths.iter_mut().filter(|path| path.error == 0) {
                 path.welded = weld::onto_border(&mut path.points, path.closed, frame.corners(), weld);

@@ -81,4 +81,22 @@ fn parts_beyond_the_grid_are_polygons() {
     );
     let found = ground("flags.tmx", &map(&set, &[(2, 0, 1)], ""));
     assert_eq!(found.outlines[0].flags, ["Kill"]);
+    assert_eq!(cells(&found, |kind| kind.flags != 0), [(2, 0), (3, 0)]);
+}
+
+#[test]
+fn flags_cover_the_tile() {
+    let block = vec![(2, 2), (3, 2), (2, 3), (3, 3)];
+    let kill = r#"<properties><property name="Kill" type="bool" value="true"/></properties>"#;
+    let solid = r#"<tile id="1" type="Solid"/>"#;
+    for (name, tile, size, wanted) in [
+        ("class.tmx", r#"<tile id="0" type="Kill"/>"#.to_owned(), (32, 32), block.clone()),
+        ("solid.tmx", format!(r#"<tile id="0" type="Solid">{kill}</tile>"#), (32, 32), block),
+        ("small.tmx", r#"<tile id="0" type="Kill"/>"#.to_owned(), (8, 8), vec![(2, 3)]),
+        ("high.tmx", r#"<tile id="0" type="Kill"/>"#.to_owned(), (16, 30), vec![(2, 2), (2, 3)]),
+    ] {
+        let set = format!(r#"tilewidth="{}" tileheight="{}">{tile}{solid}"#, size.0, size.1);
+        let found = ground(name, &map(&set, &[(2, 3, 1), (5, 5, 2)], ""));
+        assert_eq!(cells(&found, |kind| kind.flags != 0), wanted, "{name}");
+    }
 }
