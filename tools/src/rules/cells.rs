@@ -177,7 +177,8 @@ impl Cells {
                         self.paths(sheet, (x, y), &piece::as_path(rest, self.tile), mask, edges)?;
                     }
                 }
-                Some(Piece::Cells { at: (dx, dy), size }) => {
+                Some(Piece::Cells { at: (dx, dy), size, beside }) => {
+                    self.paths(sheet, (x, y), beside, mask, edges)?;
                     let (within, beyond) = self.split((at.0 + i64::from(*dx), at.1 + i64::from(*dy)), *size);
                     for cell in within {
                         self.put(cell, TileShape::Full);
@@ -244,7 +245,8 @@ impl Cells {
         let tile = sheet.tiles.tile;
         match piece {
             Some(Piece::Shape(shape)) => self.paths(sheet, at, &piece::as_path(*shape, tile), mask, edges),
-            Some(Piece::Cells { at: (dx, dy), size }) => {
+            Some(Piece::Cells { at: (dx, dy), size, beside }) => {
+                self.paths(sheet, at, beside, mask, edges)?;
                 let all = (0..size.1).flat_map(|j| (0..size.0).map(move |i| (i, j)));
                 let full = piece::as_path(TileShape::Full, tile);
                 all.into_iter()

@@ -235,6 +235,7 @@ fn became(piece: &Piece) -> String {
     match piece {
         Piece::Shape(shape) => names::name(*shape),
         Piece::Paths(paths) if paths.is_empty() => "nothing".to_owned(),
-        Piece::Cells { .. } | Piece::Paths(_) => "polygons".to_owned(),
+        Piece::Cells { .. } => "full and polygons".to_owned(),
+        Piece::Paths(_) => "polygons".to_owned(),
     }
 }

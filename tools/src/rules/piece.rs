@@ -29,6 +29,8 @@ pub(super) enum Piece {
     Cells {
         at: (i32, i32),
         size: (i32, i32),
+        /// What else the tile has, relative to the corner of its cell.
+        beside: Vec<Path>,
     },
     /// Relative to the corner of its cell.
     Paths(Vec<Path>),
@@ -123,7 +125,7 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
     match solid {
         Solid::Shape(shape) if frame == cell => Piece::Shape(shape),
         Solid::Shape(shape) => match frame.cells(side).filter(|_| shape == TileShape::Full) {
-            Some((at, size)) => Piece::Cells { at, size },
+            Some((at, size)) => Piece::Cells { at, size, beside: Vec::new() },
             None => Piece::Paths(stretched(shape, frame)),
         },
         Solid::Drawn => {
@@ -135,7 +137,7 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
             for path in paths.iter_mut().filter(|path| path.error == 0) {
                 path.welded = weld::onto_border(&mut path.points, path.closed, frame.corners(), weld);
             }
-            if frame == cell { recognised(paths, likeness) } else { Piece::Paths(paths) }
+            if frame == cell { recognised(paths, side, likeness) } else { Piece::Paths(paths) }
         }
     }
 }
@@ -242,14 +244,20 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
 const MOST_CORNERS: usize = 128;
 
 /// The union of the shapes of a tile.
-fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
+fn recognised(paths: Vec<Path>, side: i64, likeness: &Likeness) -> Piece {
     if paths.iter().map(|path| path.points.len()).sum::<usize>() > MOST_CORNERS {
         return Piece::Paths(paths);
     }
     let pixels = |points: &[Spot]| points.iter().map(|(x, y)| (x.to_f64(), y.to_f64())).collect::<Vec<_>>();
     let solid = |path: &Path| path.kind == Kind::Solid && path.closed;
-    if paths.iter().any(|path| solid(path) && likeness.solid(&pixels(&path.points)) == Some(TileShape::Full)) {
-        return Piece::Shape(TileShape::Full);
+    let full = |path: &Path| solid(path) && likeness.solid(&pixels(&path.points)) == Some(TileShape::Full);
+    // A hole takes a part of the cell away.
+    if paths.iter().any(full) && !paths.iter().any(|path| path.kind == Kind::Hole) {
+        let beside: Vec<Path> = paths.into_iter().filter(|path| !full(path) && !is_within(path, side)).collect();
+        if beside.is_empty() {
+            return Piece::Shape(TileShape::Full);
+        }
+        return Piece::Cells { at: (0, 0), size: (1, 1), beside };
     }
     if let [path] = &paths[..] {
         let shape = if solid(path) {
@@ -273,6 +281,12 @@ fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
         }
     }
     Piece::Paths(paths)
+}
+
+/// Whether all of a path is in the cell.
+fn is_within(path: &Path, side: i64) -> bool {
+    let cell = Decimal::ZERO..=Decimal::whole(side);
+    path.points.iter().all(|(x, y)| cell.contains(x) && cell.contains(y))
 }
 
 /// Whether a chain on an edge of the cell is drawn in the direction that blocks from outside.

@@ -100,3 +100,20 @@ fn flags_cover_the_tile() {
         assert_eq!(cells(&found, |kind| kind.flags != 0), wanted, "{name}");
     }
 }
+
+/// A box as large as the tile covers only what lies on it.
+#[test]
+fn a_full_box_and_other_shapes() {
+    let box_of = |more: &str| format!(r#"<object id="1" x="0" y="0" width="16" height="16"/>{more}"#);
+    let of = |more: &str| {
+        let tile = format!(r#"<tile id="0"><objectgroup>{}</objectgroup></tile>"#, box_of(more));
+        ground("box.tmx", &map(&format!(r#"tilewidth="16" tileheight="16">{tile}"#), &[(2, 3, 1)], ""))
+    };
+    let ledge = r#"<object id="2" x="16" y="0" width="8" height="4"/>"#;
+    let found = of(ledge);
+    assert_eq!((full(&found), corners(&found)), (vec![(2, 3)], vec![square(48, 48, 8, 4)]));
+    let found = of(r#"<object id="2" x="4" y="4" width="8" height="4"/>"#);
+    assert_eq!((full(&found), corners(&found)), (vec![(2, 3)], vec![]));
+    let found = of(r#"<object id="2" type="Hole" x="4" y="4" width="8" height="4"/>"#);
+    assert_eq!((full(&found), corners(&found)), (vec![], vec![square(32, 48, 16, 16), square(36, 52, 8, 4)]));
+}
