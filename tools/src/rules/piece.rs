@@ -66,12 +66,16 @@ impl Frame {
     /// Of a tile in a layer with cells of this side.
     fn of(map: &Map, set: &Tileset, id: u32, flip: Flip, side: i64) -> Self {
         let (w, h) = set.size_of(id);
-        let fits = map.values || set.fits_grid || w == 0 || h == 0;
+        let fits = set.fits_grid || w == 0 || h == 0;
         let (width, height) = match (fits, flip.diagonal) {
             (true, _) => (side, side),
             (false, true) => (h.into(), w.into()),
             (false, false) => (w.into(), h.into()),
         };
+        // LDtk draws tiles downward from the upper left corner of their cell.
+        if map.values {
+            return Self::new(width, height);
+        }
         // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn at
         // another size scales its offset with it.
         let offset = |by: i32, own: u32| match own {

@@ -117,3 +117,21 @@ fn a_full_box_and_other_shapes() {
     let found = of(r#"<object id="2" type="Hole" x="4" y="4" width="8" height="4"/>"#);
     assert_eq!((full(&found), corners(&found)), (vec![], vec![square(32, 48, 16, 16), square(36, 52, 8, 4)]));
 }
+
+/// `LDtk` draws a tile at its own size, from the upper left corner of its cell.
+#[test]
+fn large_tiles_of_a_project() {
+    let text = |side: u32| {
+        format!(
+            r#"{{"__header__":{{"app":"LDtk"}},"defs":{{"layers":[{{"uid":2,"intGridValues":[]}}],"tilesets":[{{"uid":7,"identifier":"S","pxWid":64,"pxHei":64,"tileGridSize":{side},"spacing":0,"padding":0,"enumTags":[{{"enumValueId":"Solid","tileIds":[0]}}]}}]}},"levels":[{{"identifier":"One","worldX":0,"worldY":0,"pxWid":128,"pxHei":96,"layerInstances":[{{"__type":"Tiles","__identifier":"T","__cWid":8,"__cHei":6,"__gridSize":16,"__tilesetDefUid":7,"layerDefUid":2,"gridTiles":[{{"px":[32,48],"src":[0,0],"f":0,"t":0}}]}}]}}]}}"#
+        )
+    };
+    for (side, cells, outlines) in [
+        (16, vec![(2, 3)], vec![]),
+        (32, vec![(2, 3), (3, 3), (2, 4), (3, 4)], vec![]),
+        (8, vec![], vec![square(32, 48, 8, 8)]),
+    ] {
+        let found = ground(&format!("s{side}.ldtk"), &text(side));
+        assert_eq!((full(&found), corners(&found)), (cells, outlines), "{side}");
+    }
+}
