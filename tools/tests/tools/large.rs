@@ -135,3 +135,38 @@ fn large_tiles_of_a_project() {
         assert_eq!((full(&found), corners(&found)), (cells, outlines), "{side}");
     }
 }
+
+/// Tiled fits the picture into the cell or the object, and centres it.
+#[test]
+fn pictures_that_keep_their_aspect() {
+    let ramp = r#"<tile id="1"><objectgroup><object id="1" x="0" y="48"><polygon points="0,0 24,-48 24,0"/></object></objectgroup></tile>"#;
+    let of = |size: (u32, u32), placed: &[(usize, usize, u32)], objects: &str| {
+        let (w, h) = size;
+        let set = format!(
+            r#"tilewidth="{w}" tileheight="{h}" tilerendersize="grid" fillmode="preserve-aspect-fit"><tile id="0" type="Solid"/>{ramp}"#
+        );
+        ground("aspect.tmx", &map(&set, placed, objects))
+    };
+    let high = (24, 48);
+    assert_eq!(corners(&of(high, &[(2, 3, 1)], "")), [square(36, 48, 8, 16)]);
+    assert_eq!(corners(&of((48, 24), &[(2, 3, 1)], "")), [square(32, 52, 16, 8)]);
+    assert_eq!(full(&of((32, 32), &[(2, 3, 1)], "")), [(2, 3)]);
+    assert_eq!(corners(&of((20, 32), &[(2, 3, 1)], "")), [square(35, 48, 10, 16)]);
+    // Turned, with the drawn shape.
+    assert_eq!(corners(&of(high, &[(2, 3, 2)], "")), [[(360, 640), (440, 480), (440, 640)]]);
+    let turned = 1 | 1 << 29;
+    assert_eq!(corners(&of(high, &[(2, 3, turned)], "")), [square(32, 52, 16, 8)]);
+    let object =
+        |gid: u32| format!(r#"<object id="1" gid="{gid}" type="Solid" x="32" y="64" width="48" height="48"/>"#);
+    assert_eq!(corners(&of(high, &[], &object(1))), [square(44, 16, 24, 48)]);
+    assert_eq!(corners(&of(high, &[], &object(2))), [[(440, 640), (680, 160), (680, 640)]]);
+    let stretched = map(
+        r#"tilewidth="24" tileheight="48" tilerendersize="grid" fillmode="stretch"><tile id="0" type="Solid"/>"#,
+        &[(2, 3, 1)],
+        "",
+    );
+    assert_eq!(full(&ground("stretch.tmx", &stretched)), [(2, 3)]);
+    let odd = stretched.replace("fillmode=\"stretch\"", "fillmode=\"fit\"");
+    let why = read::load(&scratch("large", "odd.tmx", odd), None).unwrap_err().to_string();
+    assert!(why.contains("tileset 't': fillmode 'fit' is unknown"), "{why}");
+}
