@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, HashMap};
 
-use crate::geometry::{Edge, Meeting, Point, Side, doubled_area, meet};
+use crate::geometry::{Point, crossing, doubled_area};
 
 /// A loop: its corners, and whether it is a hole.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -166,29 +166,13 @@ fn simple(points: Vec<Point>) -> Vec<Vec<Point>> {
 
 /// Splits a loop where it first crosses itself. Borders of polygons over each other do.
 fn halves(points: &[Point]) -> Option<[Vec<Point>; 2]> {
-    let ends = points.iter().zip(points.iter().cycle().skip(1)).zip(0..);
-    let mut edges: Vec<Edge> =
-        ends.map(|((&a, &b), number)| Edge { a, b, outline: None, number, side: Side::Solid }).collect();
-    edges.sort_by_key(|edge| edge.a.min(edge.b));
-    for (i, s) in edges.iter().enumerate() {
-        let right = s.a.0.max(s.b.0);
-        for t in edges[i + 1..].iter().take_while(|t| t.a.0.min(t.b.0) <= right) {
-            let (from, to) = (s.number.min(t.number), s.number.max(t.number));
-            let at = match meet(s, t) {
-                Meeting::Cross(at) | Meeting::Tee(at) => at,
-                _ => continue,
-            };
-            if to - from > 1 && (from, to + 1) != (0, points.len()) {
-                let mut parts = [points[from + 1..=to].to_vec(), [&points[to + 1..], &points[..=from]].concat()];
-                for part in &mut parts {
-                    part.retain(|p| *p != at);
-                    part.push(at);
-                }
-                return Some(parts);
-            }
-        }
+    let (from, to, at) = crossing(points, |_| true)?;
+    let mut parts = [points[from + 1..=to].to_vec(), [&points[to + 1..], &points[..=from]].concat()];
+    for part in &mut parts {
+        part.retain(|p| *p != at);
+        part.push(at);
     }
-    None
+    Some(parts)
 }
 
 /// Removes the points at which its way goes straight on.
@@ -205,7 +189,7 @@ fn straight(points: Vec<Point>) -> Vec<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::winding;
+    use crate::geometry::{Edge, Meeting, Side, meet, winding};
 
     /// A quarter of a cell.
     const QUARTER: i64 = 1 << 14;

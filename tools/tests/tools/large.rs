@@ -5,7 +5,7 @@ use tilesat::TileShape;
 use tilesat_tools::rules::flags::Flags;
 use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::options::Options;
-use tilesat_tools::read;
+use tilesat_tools::{bake, read};
 
 use crate::support::scratch;
 
@@ -169,4 +169,20 @@ fn pictures_that_keep_their_aspect() {
     let odd = stretched.replace("fillmode=\"stretch\"", "fillmode=\"fit\"");
     let why = read::load(&scratch("large", "odd.tmx", odd), None).unwrap_err().to_string();
     assert!(why.contains("tileset 't': fillmode 'fit' is unknown"), "{why}");
+}
+
+/// Inside and outside change places where a polygon crosses itself.
+#[test]
+fn polygons_that_cross_themselves_are_refused() {
+    let polygon =
+        r#"<object id="7" name="bow" type="Solid" x="8" y="8"><polygon points="0,0 60,30 60,0 0,10"/></object>"#;
+    let text = map(r#"tilewidth="16" tileheight="16">"#, &[], polygon);
+    let levels = read::load(&scratch("large", "bow.tmx", text), None).unwrap();
+    let why = bake::bake(&levels.maps, &bake::Settings::default()).unwrap_err().to_string();
+    for part in ["object 7 'bow' of layer 'things'", "crosses itself at (23, 15.5)", "two polygons"] {
+        assert!(why.contains(part), "{part} is not in {why}");
+    }
+    let cut = tilesat_tools::rooms::Cut { room: Some((4, 3)), ..Default::default() };
+    let why = tilesat_tools::rooms::bake(&levels.maps, &Options::default(), &cut).unwrap_err().to_string();
+    assert!(why.contains("crosses itself at (23, 15.5)"), "{why}");
 }
