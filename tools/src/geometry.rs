@@ -123,6 +123,37 @@ fn nearest(numerator: i128, denominator: i128) -> i128 {
     (2 * n + d).div_euclid(2 * d)
 }
 
+/// More comparisons would take a second, for a polygon that is too large for a map anyway.
+const MOST_COMPARED: usize = 1 << 24;
+
+/// Where a closed way first crosses or touches itself, of the meetings that count, and the numbers
+/// of the two edges.
+pub fn crossing(points: &[Point], counts: impl Fn(&Meeting) -> bool) -> Option<(usize, usize, Point)> {
+    let ends = points.iter().zip(points.iter().cycle().skip(1)).zip(0..);
+    let edge = |((&a, &b), number)| Edge { a, b, outline: None, number, side: Side::Solid };
+    let mut edges: Vec<Edge> = ends.map(edge).collect();
+    edges.sort_by_key(|edge| edge.a.min(edge.b));
+    let mut compared = 0;
+    for (i, s) in edges.iter().enumerate() {
+        let right = s.a.0.max(s.b.0);
+        for t in edges[i + 1..].iter().take_while(|t| t.a.0.min(t.b.0) <= right) {
+            compared += 1;
+            if compared > MOST_COMPARED {
+                return None;
+            }
+            let (from, to) = (s.number.min(t.number), s.number.max(t.number));
+            if to - from == 1 || (from, to + 1) == (0, points.len()) {
+                continue;
+            }
+            match meet(s, t) {
+                meeting @ (Meeting::Cross(at) | Meeting::Tee(at)) if counts(&meeting) => return Some((from, to, at)),
+                _ => {}
+            }
+        }
+    }
+    None
+}
+
 /// Whether an edge separates two points: they lie on different sides of its line, and the way
 /// between them crosses the edge.
 pub fn hides(edge: &Edge, p: Point, q: Point) -> bool {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use tilesat::{Fx, TileKind, TileKinds};
 
 use super::level::{Ids, Level};
-use super::segments::Shapes;
+use super::segments::{Shapes, refuse_crossed};
 use super::{Baked, source};
 use crate::fail::{Fail, Result};
 use crate::model::map::Map;
@@ -74,6 +74,7 @@ pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
 
 fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Result<Baked> {
     let mut ground = Ground::of(map, &settings.options, flags)?;
+    refuse_crossed(&ground.outlines)?;
     let tiles = Level::with(&ground, &flags.names, ids)?;
     let mut objects = None;
     if !ground.outlines.is_empty() {

@@ -3,7 +3,7 @@
 use tilesat::{Fx, Path, PathKind, SegmentMap, SegmentMapError, Vec2};
 
 use crate::fail::{Fail, Result};
-use crate::geometry::{Edge, Meeting, Side, doubled_area, meet};
+use crate::geometry::{Meeting, crossing};
 use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
 use crate::rules::outline::Outline;
@@ -159,16 +159,27 @@ fn flat(outline: &Outline) -> Option<String> {
             return Some(format!("its {name} is 0: give it one, or draw a polyline, which is a wall"));
         }
     }
-    if doubled_area(&outline.points) != 0 {
-        return None;
+    None
+}
+
+/// Refuses objects whose inside and outside change places.
+#[allow(clippy::cast_precision_loss, reason = "only for a message")]
+pub(crate) fn refuse_crossed(outlines: &[Outline]) -> Result<()> {
+    // Tiles of several layers can lie over each other, and then their common border crosses itself.
+    let drawn = outlines.iter().filter(|outline| outline.kind.has_area() && !outline.title.is_tiles());
+    for outline in drawn {
+        let crossed = crossing(&outline.points, |meeting| matches!(meeting, Meeting::Cross(_)));
+        if let Some((.., (x, y))) = crossed {
+            let pixels = |raw: i64| (raw as f64 / 65.536).round() / 1000.0;
+            return Err(Fail::new(format!(
+                "{}: it crosses itself at ({}, {}): draw two polygons, or put its corners in order",
+                outline.title,
+                pixels(x),
+                pixels(y)
+            )));
+        }
     }
-    let edge = |((a, b), number)| Edge { a, b, outline: None, number, side: Side::Solid };
-    let edges: Vec<Edge> = outline.edges().zip(0..).map(edge).collect();
-    let crosses = |s: &Edge| edges.iter().any(|t| matches!(meet(s, t), Meeting::Cross(_)));
-    edges
-        .iter()
-        .any(crosses)
-        .then(|| "it crosses itself, and its parts cancel: draw two polygons, or put its corners in order".to_owned())
+    Ok(())
 }
 
 /// The library counts paths, but the user knows objects.

@@ -25,6 +25,8 @@ pub struct Tileset {
     pub align: (u32, u32),
     /// Whether tiles are drawn as large as a cell, whatever their size.
     pub fits_grid: bool,
+    /// Whether a picture that is drawn at another size keeps its aspect, in the middle.
+    pub keeps_aspect: bool,
     pub image: Option<PathBuf>,
     /// The tiles with more data than their picture.
     pub tiles: HashMap<u32, Tile>,

@@ -29,13 +29,26 @@ pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Opt
             let Placed::Tile { tileset, id, flip } = &map.palette[cell as usize] else { continue };
             let Some((source, from, size)) = sources.tile(map, *tileset, *id) else { continue };
             let side = f32::from(tiles.tile);
-            let (wide, high) =
-                if map.tilesets[*tileset].fits_grid { (side, side) } else { (size.0 as f32, size.1 as f32) };
-            let drawn = map.tilesets[*tileset].offset;
+            let set = &map.tilesets[*tileset];
+            let (wide, high) = match (set.fits_grid, set.keeps_aspect) {
+                (false, _) => (size.0 as f32, size.1 as f32),
+                (true, false) => (side, side),
+                (true, true) => {
+                    let scale = side / size.0.max(size.1).max(1) as f32;
+                    (size.0 as f32 * scale, size.1 as f32 * scale)
+                }
+            };
+            // In a cell, it is in the middle. Otherwise LDtk draws it downward, and Tiled upward.
+            let (right, down) = match (set.fits_grid, map.values) {
+                (true, _) => ((side - wide) / 2.0, (side - high) / 2.0),
+                (false, true) => (0.0, 0.0),
+                (false, false) => (0.0, side - high),
+            };
+            let drawn = set.offset;
             // The offset is scaled with the picture.
             let scaled = |by: i32, to: f32, from: u32| by as f32 * to / from.max(1) as f32;
-            let left = x as f32 * side + offset.0 + scaled(drawn.0, wide, size.0);
-            let top = (y + 1) as f32 * side - high + offset.1 + scaled(drawn.1, high, size.1);
+            let left = x as f32 * side + right + offset.0 + scaled(drawn.0, wide, size.0);
+            let top = y as f32 * side + down + offset.1 + scaled(drawn.1, high, size.1);
             let place = |v: f32, start: f32| v * zoom - start * scene.scale;
             let at = (place(left, start.0), place(top, start.1));
             blit(&mut image, at, (wide * zoom, high * zoom), source, from, size, *flip);

@@ -2,6 +2,7 @@
 
 use super::{Baked, Whole};
 use crate::bake::level::{Ids, Level};
+use crate::bake::segments::refuse_crossed;
 use crate::fail::{Fail, Result};
 use crate::model::map::{Map, Place};
 use crate::rules::flags::Flags;
@@ -42,6 +43,7 @@ pub(super) struct Part {
 impl Part {
     pub(super) fn of(map: &Map, options: &Options, flags: &mut Flags, ids: &mut Ids) -> Result<Self> {
         let mut ground = Ground::of(map, options, flags)?;
+        refuse_crossed(&ground.outlines)?;
         let level = Level::with(&ground, &flags.names, ids)?;
         // In a linear world, LDtk puts all levels at (-1, -1).
         let place = map.place.filter(|place| !map.values || (place.x, place.y) != (-1, -1));
@@ -196,8 +198,12 @@ impl Part {
     fn copy_into(&self, tiles: &mut [u8], window: Rectangle) {
         let (from_x, to_x) = common((window.0, window.2), (self.room.0, self.room.2));
         let (from_y, to_y) = common((window.1, window.3), (self.room.1, self.room.3));
+        // In rows that both have, a level far to the side begins behind the window.
+        if from_x >= to_x {
+            return;
+        }
         for y in from_y..to_y {
-            let row = self.within((from_x, y, (to_x - from_x).max(0), 1));
+            let row = self.within((from_x, y, to_x - from_x, 1));
             let place = ((y - window.1) * window.2 + from_x - window.0) as usize;
             row.zip(&mut tiles[place..]).for_each(|(tile, into)| *into = tile);
         }

@@ -19,12 +19,17 @@ const MAX_EDGES: usize = 1 << 19;
 /// The most cells of the grid.
 const MAX_CELLS: i64 = 1 << 24;
 
+/// A first cell, and columns and rows.
+type Block = ((i64, i64), (i32, i32));
+
 /// The solid of a layer, for each palette entry that it uses.
 pub(super) struct Sheet<'a> {
     pub(super) layer: &'a Layer,
     pub(super) tiles: &'a Tiles,
     pub(super) pieces: HashMap<u32, Piece>,
     pub(super) flags: HashMap<u32, Vec<String>>,
+    /// The cells of the entries that have flags.
+    pub(super) flagged: HashMap<u32, piece::Block>,
 }
 
 /// A grid in pixels of the map: the first corner of its cells, and their size.
@@ -159,8 +164,11 @@ impl Cells {
             };
             let at = (from.0 + i64::from(x - sheet.tiles.at.0), from.1 + i64::from(y - sheet.tiles.at.1));
             if mask != 0 {
-                if let Some(kind) = self.kind(at) {
-                    *kind = TileKind::of(kind.shape).with_flags(kind.flags | mask);
+                let ((dx, dy), size) = sheet.flagged.get(&cell).copied().unwrap_or(((0, 0), (1, 1)));
+                for cell in self.split((at.0 + i64::from(dx), at.1 + i64::from(dy)), size).0 {
+                    if let Some(kind) = self.kind(cell) {
+                        *kind = TileKind::of(kind.shape).with_flags(kind.flags | mask);
+                    }
                 }
             }
             match piece {
@@ -169,9 +177,15 @@ impl Cells {
                         self.paths(sheet, (x, y), &piece::as_path(rest, self.tile), mask, edges)?;
                     }
                 }
-                Some(Piece::Cells { at: (dx, dy), size }) => {
-                    for (i, j) in (0..size.1).flat_map(|j| (0..size.0).map(move |i| (i, j))) {
-                        self.put((at.0 + i64::from(dx + i), at.1 + i64::from(dy + j)), TileShape::Full);
+                Some(Piece::Cells { at: (dx, dy), size, beside }) => {
+                    self.paths(sheet, (x, y), beside, mask, edges)?;
+                    let (within, beyond) = self.split((at.0 + i64::from(*dx), at.1 + i64::from(*dy)), *size);
+                    for cell in within {
+                        self.put(cell, TileShape::Full);
+                    }
+                    for (first, size) in beyond {
+                        let first = ((first.0 - at.0) as i32, (first.1 - at.1) as i32);
+                        self.paths(sheet, (x, y), &piece::block(first, size, self.tile), mask, edges)?;
                     }
                 }
                 Some(Piece::Paths(paths)) => self.paths(sheet, (x, y), paths, mask, edges)?,
@@ -184,6 +198,23 @@ impl Cells {
     fn kind(&mut self, (x, y): (i64, i64)) -> Option<&mut TileKind> {
         let inside = (0..i64::from(self.width)).contains(&x) && (0..i64::from(self.height)).contains(&y);
         if inside { self.kinds.get_mut((y * i64::from(self.width) + x) as usize) } else { None }
+    }
+
+    /// The cells of a block that the grid has, and the blocks of the others: no cell can hold them.
+    fn split(&self, (x, y): (i64, i64), size: (i32, i32)) -> (Vec<(i64, i64)>, Vec<Block>) {
+        let (right, bottom) = (x + i64::from(size.0), y + i64::from(size.1));
+        let (width, height) = (i64::from(self.width), i64::from(self.height));
+        let (left_in, right_in) = (x.clamp(0, width), right.clamp(0, width));
+        let (top_in, bottom_in) = (y.clamp(0, height), bottom.clamp(0, height));
+        let within = (top_in..bottom_in).flat_map(|row| (left_in..right_in).map(move |column| (column, row))).collect();
+        let sides = [
+            ((x, y), (right, bottom.min(0))),
+            ((x, y.max(height)), (right, bottom)),
+            ((x, top_in), (right.min(0), bottom_in)),
+            ((x.max(width), top_in), (right, bottom_in)),
+        ];
+        let block = |(from, to): ((i64, i64), (i64, i64))| (from, ((to.0 - from.0) as i32, (to.1 - from.1) as i32));
+        (within, sides.into_iter().map(block).filter(|(_, size)| size.0 > 0 && size.1 > 0).collect())
     }
 
     /// Puts a shape into a cell. Returns it if the cell has another shape and neither contains the
@@ -214,7 +245,8 @@ impl Cells {
         let tile = sheet.tiles.tile;
         match piece {
             Some(Piece::Shape(shape)) => self.paths(sheet, at, &piece::as_path(*shape, tile), mask, edges),
-            Some(Piece::Cells { at: (dx, dy), size }) => {
+            Some(Piece::Cells { at: (dx, dy), size, beside }) => {
+                self.paths(sheet, at, beside, mask, edges)?;
                 let all = (0..size.1).flat_map(|j| (0..size.0).map(move |i| (i, j)));
                 let full = piece::as_path(TileShape::Full, tile);
                 all.into_iter()

@@ -69,7 +69,7 @@ impl<'a> Layers<'a> {
         used.sort_unstable();
         let by_layer = self.layer_rule(layer, tiles);
         let only_flags = self.options.layer.as_ref().is_some_and(|name| *name != layer.name);
-        let mut sheet = Sheet { layer, tiles, pieces: HashMap::new(), flags: HashMap::new() };
+        let mut sheet = Sheet { layer, tiles, pieces: HashMap::new(), flags: HashMap::new(), flagged: HashMap::new() };
         for (entry, count) in used {
             if !self.meanings.contains_key(&entry) {
                 let meaning = verdict::of(self.map, &self.map.palette[entry as usize], self.options)?;
@@ -78,6 +78,8 @@ impl<'a> Layers<'a> {
             let meaning = &self.meanings[&entry];
             if !meaning.flags.is_empty() {
                 sheet.flags.insert(entry, meaning.flags.clone());
+                let cells = piece::drawn_on(self.map, &self.map.palette[entry as usize], tiles.tile);
+                sheet.flagged.insert(entry, cells);
             }
             let value = matches!(self.map.palette[entry as usize], Placed::Value { .. });
             let by_layer = by_layer.as_ref().filter(|(rule, _)| !value || *rule == Rule::Option);
@@ -233,6 +235,7 @@ fn became(piece: &Piece) -> String {
     match piece {
         Piece::Shape(shape) => names::name(*shape),
         Piece::Paths(paths) if paths.is_empty() => "nothing".to_owned(),
-        Piece::Cells { .. } | Piece::Paths(_) => "polygons".to_owned(),
+        Piece::Cells { .. } => "full and polygons".to_owned(),
+        Piece::Paths(_) => "polygons".to_owned(),
     }
 }

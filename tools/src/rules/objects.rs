@@ -108,6 +108,11 @@ pub(super) fn outlines(
         }
     };
     let mut corners = corners;
+    if let Form::Tile(stamp) = &object.form {
+        // The picture can be smaller than the object.
+        let ((x, y), (right, bottom)) = piece::picture(&map.tilesets[stamp.tileset], stamp, object.size);
+        corners.points = form::of_picture(object, stamp, &[(x, y), (right, y), (right, bottom), (x, bottom)]);
+    }
     if is_tile && kind == Kind::OneWay {
         // Bodies stand on top of it, as on a tile of the level.
         corners.points.truncate(2);

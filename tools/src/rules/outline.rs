@@ -22,6 +22,10 @@ impl Title {
     pub fn tiles(layer: &str) -> Self {
         Self { id: u32::MAX, name: String::new(), layer: layer.to_owned() }
     }
+
+    pub(crate) fn is_tiles(&self) -> bool {
+        self.id == u32::MAX
+    }
 }
 
 impl fmt::Display for Title {

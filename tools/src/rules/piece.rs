@@ -18,6 +18,9 @@ use crate::model::map::{Map, Placed};
 use crate::model::object::{Form, Object, Spot, Stamp, raw};
 use crate::model::tileset::Tileset;
 
+/// A cell relative to that of a tile, and columns and rows from it on.
+pub(super) type Block = ((i32, i32), (i32, i32));
+
 /// The area that a tile fills.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Piece {
@@ -26,6 +29,8 @@ pub(super) enum Piece {
     Cells {
         at: (i32, i32),
         size: (i32, i32),
+        /// What else the tile has, relative to the corner of its cell.
+        beside: Vec<Path>,
     },
     /// Relative to the corner of its cell.
     Paths(Vec<Path>),
@@ -48,70 +53,104 @@ pub(super) struct Path {
 struct Frame {
     x: Decimal,
     y: Decimal,
-    width: i64,
-    height: i64,
+    width: Decimal,
+    height: Decimal,
+    /// Numerators and denominators: its size over that of the picture, along x and y.
+    scale: [(u32, u32); 2],
 }
 
 impl Frame {
     /// At the corner of the cell.
     fn new(width: i64, height: i64) -> Self {
-        Self { x: Decimal::ZERO, y: Decimal::ZERO, width, height }
+        let (width, height) = (Decimal::whole(width), Decimal::whole(height));
+        Self { x: Decimal::ZERO, y: Decimal::ZERO, width, height, scale: [(1, 1); 2] }
+    }
+
+    /// Of a tile in a layer with cells of this side.
+    fn of(map: &Map, set: &Tileset, id: u32, flip: Flip, side: i64) -> Self {
+        let (w, h) = set.size_of(id);
+        let (across, down) = if flip.diagonal { (h, w) } else { (w, h) };
+        if w == 0 || h == 0 {
+            return Self::new(side, side);
+        }
+        // LDtk draws tiles downward from the upper left corner of their cell.
+        if map.values {
+            return Self::new(across.into(), down.into());
+        }
+        let cell = side as u32;
+        let scale = match (set.fits_grid, set.keeps_aspect) {
+            (false, _) => [(1, 1); 2],
+            (true, false) => [(cell, across), (cell, down)],
+            (true, true) => [(cell, across.max(down)); 2],
+        };
+        let scaled = |length: i64, (to, from): (u32, u32)| Decimal::whole(length).scaled(to, from);
+        let (width, height) = (scaled(across.into(), scale[0]), scaled(down.into(), scale[1]));
+        // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn at
+        // another size scales its offset with it.
+        let own = if flip.diagonal { [scale[1], scale[0]] } else { scale };
+        let (x, y) = (scaled(set.offset.0.into(), own[0]), scaled(set.offset.1.into(), own[1]));
+        // What is left of the cell is on both sides of the picture.
+        let left = |length: Decimal, whole: u32| (Decimal::whole(side) - length).scaled(1, whole);
+        let (right, up) =
+            if set.fits_grid { (left(width, 2), left(height, 2)) } else { (Decimal::ZERO, left(height, 1)) };
+        Self { x: x + right, y: y + up, width, height, scale }
     }
 
     fn corners(&self) -> (Spot, Spot) {
-        let end = (self.x + Decimal::whole(self.width), self.y + Decimal::whole(self.height));
-        ((self.x, self.y), end)
+        ((self.x, self.y), (self.x + self.width, self.y + self.height))
     }
 
     /// The first cell and the number of cells, if it fills whole ones of this side.
-    fn cells(&self, side: i64) -> Option<((i32, i32), (i32, i32))> {
+    fn cells(&self, side: i64) -> Option<Block> {
         let whole = |v: Decimal| Some(v.raw() >> 16).filter(|pixels| Decimal::whole(*pixels) == v);
-        let all = [whole(self.x)?, whole(self.y)?, self.width, self.height];
+        let all = [whole(self.x)?, whole(self.y)?, whole(self.width)?, whole(self.height)?];
         let [x, y, width, height] = all.map(|v| (v / side) as i32);
         all.iter().all(|v| v % side == 0).then_some(((x, y), (width, height)))
     }
+}
+
+/// The cells that a tile is drawn on, relative to its own: the first one, columns and rows. Those
+/// whose middle it covers, and at least one.
+pub(super) fn drawn_on(map: &Map, placed: &Placed, tile: u16) -> Block {
+    let side = i64::from(tile);
+    let &Placed::Tile { tileset, id, flip } = placed else { return ((0, 0), (1, 1)) };
+    let (from, to) = Frame::of(map, &map.tilesets[tileset], id, flip, side).corners();
+    let side = side.max(1) << 16;
+    let along = |from: Decimal, to: Decimal| {
+        let middle = |v: Decimal| (v.raw() + side / 2 - 1).div_euclid(side);
+        let (first, end) = (middle(from), middle(to));
+        if first < end { (first as i32, (end - first) as i32) } else { (0, 1) }
+    };
+    let (columns, rows) = (along(from.0, to.0), along(from.1, to.1));
+    ((columns.0, rows.0), (columns.1, rows.1))
 }
 
 /// The area that a tile of a layer with cells of `tile` pixels fills. Welds drawn corners by up to
 /// `weld` raw units.
 pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness, weld: i64) -> Piece {
     let side = i64::from(tile);
-    let cell = Frame::new(side, side);
+    let cell = Frame::new(side, side).corners();
     let &Placed::Tile { tileset, id, flip } = placed else {
         return if let Solid::Shape(shape) = solid { Piece::Shape(shape) } else { Piece::Paths(Vec::new()) };
     };
     let set = &map.tilesets[tileset];
-    let (w, h) = set.size_of(id);
-    let own = (i64::from(w), i64::from(h));
-    let fits = map.values || set.fits_grid || w == 0 || h == 0;
-    let (width, height) = match (fits, flip.diagonal) {
-        (true, _) => (side, side),
-        (false, true) => (own.1, own.0),
-        (false, false) => own,
-    };
-    // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn at
-    // another size scales its offset with it.
-    let offset = |by: i32, own: u32| match own {
-        1.. if fits => Decimal::whole(by.into()).scaled(side as u32, own),
-        _ => Decimal::whole(by.into()),
-    };
-    let (x, y) = (offset(set.offset.0, w), Decimal::whole(side - height) + offset(set.offset.1, h));
-    let frame = Frame { x, y, width, height };
+    let frame = Frame::of(map, set, id, flip, side);
     match solid {
-        Solid::Shape(shape) if frame == cell => Piece::Shape(shape),
+        Solid::Shape(shape) if frame.corners() == cell => Piece::Shape(shape),
         Solid::Shape(shape) => match frame.cells(side).filter(|_| shape == TileShape::Full) {
-            Some((at, size)) => Piece::Cells { at, size },
+            Some((at, size)) => Piece::Cells { at, size, beside: Vec::new() },
             None => Piece::Paths(stretched(shape, frame)),
         },
         Solid::Drawn => {
             let shapes = set.tiles.get(&id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
             // A tile that is drawn as large as a cell scales its shapes with it.
-            let size = if w == 0 || h == 0 { (side, side) } else { own };
+            let (w, h) = set.size_of(id);
+            let size = if w == 0 || h == 0 { (side, side) } else { (i64::from(w), i64::from(h)) };
             let mut paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
             for path in paths.iter_mut().filter(|path| path.error == 0) {
                 path.welded = weld::onto_border(&mut path.points, path.closed, frame.corners(), weld);
             }
-            if frame == cell { recognised(paths, likeness) } else { Piece::Paths(paths) }
+            if frame.corners() == cell { recognised(paths, side, likeness) } else { Piece::Paths(paths) }
         }
     }
 }
@@ -129,17 +168,39 @@ pub(super) fn stamped(set: &Tileset, stamp: &Stamp, size: Spot) -> Vec<Path> {
     let shapes = set.tiles.get(&stamp.id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
     let mut paths: Vec<Path> =
         shapes.iter().filter_map(|shape| path(shape, own, stamp.flip, Frame::new(across, down))).collect();
+    let (from, to) = picture(set, stamp, size);
+    let drawn = (to.0 - from.0, to.1 - from.1);
     for point in paths.iter_mut().flat_map(|path| &mut path.points) {
-        *point = (fit(point.0, across, size.0), fit(point.1, down, size.1));
+        *point = (from.0 + fit(point.0, across, drawn.0), from.1 + fit(point.1, down, drawn.1));
     }
     // A click in the collision editor leaves a rectangle without a size.
     paths.retain(|path| !path.closed || doubled_area(&raw(&path.points)) != 0);
     paths
 }
 
+/// The corners of the picture in an object of this size.
+pub(super) fn picture(set: &Tileset, stamp: &Stamp, size: Spot) -> (Spot, Spot) {
+    let (w, h) = set.size_of(stamp.id);
+    let (across, down) = if stamp.flip.diagonal { (h, w) } else { (w, h) };
+    if !set.keeps_aspect || w == 0 || h == 0 {
+        return ((Decimal::ZERO, Decimal::ZERO), size);
+    }
+    let (wide, high) = (size.1.scaled(across, down), size.0.scaled(down, across));
+    let drawn = if wide <= size.0 { (wide, size.1) } else { (size.0, high) };
+    let from = ((size.0 - drawn.0).scaled(1, 2), (size.1 - drawn.1).scaled(1, 2));
+    (from, (from.0 + drawn.0, from.1 + drawn.1))
+}
+
 /// A shape of the library as a path.
 pub(super) fn as_path(shape: TileShape, tile: u16) -> Vec<Path> {
     stretched(shape, Frame::new(tile.into(), tile.into()))
+}
+
+/// So many full columns and rows as a path, from this cell on.
+pub(super) fn block(at: (i32, i32), size: (i32, i32), tile: u16) -> Vec<Path> {
+    let pixels = |cells: i32| i64::from(cells) * i64::from(tile);
+    let (x, y) = (Decimal::whole(pixels(at.0)), Decimal::whole(pixels(at.1)));
+    stretched(TileShape::Full, Frame { x, y, ..Frame::new(pixels(size.0), pixels(size.1)) })
 }
 
 /// A shape of the library in a box. Arcs become chords.
@@ -148,7 +209,8 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
     const SIDE: u16 = 64;
     let lines = likeness::outline(shape, SIDE);
     let place = |(x, y): (f64, f64)| {
-        let along = |v: f64, from: Decimal, length: i64| from + Decimal::from_f64(v * length as f64 / f64::from(SIDE));
+        let along =
+            |v: f64, from: Decimal, length: Decimal| from + Decimal::from_f64(v * length.to_f64() / f64::from(SIDE));
         (along(x, frame.x, frame.width), along(y, frame.y, frame.height))
     };
     // The library promises no order of faces. Each begins where another one ends.
@@ -196,8 +258,8 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
         let (x, y) = if flip.diagonal { (y, x) } else { (x, y) };
         let x = if flip.horizontal { Decimal::whole(across) - x } else { x };
         let y = if flip.vertical { Decimal::whole(down) - y } else { y };
-        let fit = |v: Decimal, from: i64, to: i64| if from == to { v } else { v.scaled(to as u32, from.max(1) as u32) };
-        (frame.x + fit(x, across, frame.width), frame.y + fit(y, down, frame.height))
+        let [across, down] = frame.scale;
+        (frame.x + x.scaled(across.0, across.1), frame.y + y.scaled(down.0, down.1))
     };
     points = points.into_iter().map(place).collect();
     // A mirrored chain would block from its other side.
@@ -211,14 +273,20 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
 const MOST_CORNERS: usize = 128;
 
 /// The union of the shapes of a tile.
-fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
+fn recognised(paths: Vec<Path>, side: i64, likeness: &Likeness) -> Piece {
     if paths.iter().map(|path| path.points.len()).sum::<usize>() > MOST_CORNERS {
         return Piece::Paths(paths);
     }
     let pixels = |points: &[Spot]| points.iter().map(|(x, y)| (x.to_f64(), y.to_f64())).collect::<Vec<_>>();
     let solid = |path: &Path| path.kind == Kind::Solid && path.closed;
-    if paths.iter().any(|path| solid(path) && likeness.solid(&pixels(&path.points)) == Some(TileShape::Full)) {
-        return Piece::Shape(TileShape::Full);
+    let full = |path: &Path| solid(path) && likeness.solid(&pixels(&path.points)) == Some(TileShape::Full);
+    // A hole takes a part of the cell away.
+    if paths.iter().any(full) && !paths.iter().any(|path| path.kind == Kind::Hole) {
+        let beside: Vec<Path> = paths.into_iter().filter(|path| !full(path) && !is_within(path, side)).collect();
+        if beside.is_empty() {
+            return Piece::Shape(TileShape::Full);
+        }
+        return Piece::Cells { at: (0, 0), size: (1, 1), beside };
     }
     if let [path] = &paths[..] {
         let shape = if solid(path) {
@@ -242,6 +310,12 @@ fn recognised(paths: Vec<Path>, likeness: &Likeness) -> Piece {
         }
     }
     Piece::Paths(paths)
+}
+
+/// Whether all of a path is in the cell.
+fn is_within(path: &Path, side: i64) -> bool {
+    let cell = Decimal::ZERO..=Decimal::whole(side);
+    path.points.iter().all(|(x, y)| cell.contains(x) && cell.contains(y))
 }
 
 /// Whether a chain on an edge of the cell is drawn in the direction that blocks from outside.

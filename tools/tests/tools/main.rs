@@ -12,6 +12,7 @@ mod corpus;
 mod damaged;
 mod drawn;
 mod hostile;
+mod large;
 mod level;
 mod limits;
 mod lint;

@@ -152,6 +152,27 @@ fn levels_of_a_project_are_rooms() {
     assert!(over > 4, "{over}");
 }
 
+/// A level far from others in the same rows or columns has none of their tiles.
+#[test]
+fn levels_far_apart() {
+    let full: &[&str] = &["####", "####", "####"];
+    let row: Vec<(i32, i32, &[&str])> = (0..7).map(|i| (64 * i, 0, full)).collect();
+    let column: Vec<(i32, i32, &[&str])> = (0..7).map(|i| (0, 48 * i, full)).collect();
+    let far: &[(i32, i32, &[&str])] = &[(0, 0, full), (3200, 16, full), (-16, 4800, full)];
+    for (name, levels) in [("row.ldtk", &row[..]), ("column.ldtk", &column), ("far.ldtk", far)] {
+        let world = world(&scratch("rooms", name, project(levels)), &Cut { room: None, ..CUT }).unwrap();
+        let (apron, cell) = (i32::from(world.apron), |level: &(i32, i32, &[&str])| (level.0 / 16, level.1 / 16));
+        for (room, (x, y)) in world.rooms.iter().zip(levels.iter().map(cell)) {
+            let width = 4 + 2 * apron;
+            for (tile, at) in room.tiles.iter().zip(0..) {
+                let (i, j) = (x - apron + at % width, y - apron + at / width);
+                let inside = |(a, b): (i32, i32)| (a..a + 4).contains(&i) && (b..b + 3).contains(&j);
+                assert_eq!(*tile != 0, levels.iter().map(cell).any(inside), "{name} {i} {j}");
+            }
+        }
+    }
+}
+
 /// Polygons over several rooms.
 #[test]
 fn polygons_of_every_room() {

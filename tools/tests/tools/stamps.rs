@@ -83,12 +83,12 @@ fn offsets_move_tiles() {
         (PLAIN, (0, 0), (vec![5], none.clone())),
         (PLAIN, (16, -16), (vec![2], none.clone())),
         (PLAIN, (4, -6), (vec![], vec![square(20, 10, 16, 16)])),
-        (large, (0, 16), (vec![1, 2, 5, 6, 9, 10], none.clone())),
+        (large, (0, 16), (vec![1, 2, 5, 6, 9, 10], vec![square(16, -16, 32, 16)])),
         (large, (8, -8), (vec![], vec![square(24, -40, 32, 64)])),
         (grid, (8, -8), (vec![], vec![square(20, 14, 16, 16)])),
         (grid, (32, 64), (vec![10], none.clone())),
     ] {
-        // Above row 0 nothing is a cell.
+        // Above row 0 nothing is a cell, but a polygon.
         let found = ground("layer", &map(set, offset, ONE, ""), &Options::default());
         assert_eq!(solid(&found), wanted, "{set} {offset:?}");
     }

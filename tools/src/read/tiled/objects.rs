@@ -104,7 +104,16 @@ pub(super) fn of_tile(object: raw::Object, set: &Tileset, (tileset, id, flip): (
             _ if by < 0 => -side.scaled(by.unsigned_abs(), own),
             _ => side.scaled(by.unsigned_abs(), own),
         };
-        let offset = (scaled(set.offset.0, object.size.0, width), scaled(set.offset.1, object.size.1, height));
+        let (across, down) = ((object.size.0, width), (object.size.1, height));
+        // A picture that keeps its aspect has one scale, the smaller one.
+        let (x, y) = if !set.keeps_aspect {
+            (across, down)
+        } else if across.0.scaled(height, width) <= down.0 {
+            (across, across)
+        } else {
+            (down, down)
+        };
+        let offset = (scaled(set.offset.0, x.0, x.1), scaled(set.offset.1, y.0, y.1));
         object.form = Form::Tile(Stamp { align: set.align, offset, tileset, id, flip });
     }
     Ok(object)

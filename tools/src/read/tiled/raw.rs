@@ -41,6 +41,7 @@ pub(super) struct Tileset {
     pub(super) imageheight: u32,
     pub(super) tileoffset: Offset,
     pub(super) tilerendersize: String,
+    pub(super) fillmode: String,
     pub(super) objectalignment: String,
     pub(super) tiles: Tiles,
     /// Before Tiled 1.2, properties and classes were separate from the tiles.

@@ -192,6 +192,11 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
         offset: (set.tileoffset.x, set.tileoffset.y),
         align: alignment(&set.objectalignment).map_err(&of_set)?,
         fits_grid: set.tilerendersize == "grid",
+        keeps_aspect: match set.fillmode.as_str() {
+            "" | "stretch" => false,
+            "preserve-aspect-fit" => true,
+            other => return Err(of_set(format!("fillmode '{other}' is unknown"))),
+        },
         image: path(set.image),
         tiles,
     })

@@ -102,6 +102,7 @@ fn tileset(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Tileset> {
         margin: number(xml, tag, "margin")?,
         spacing: number(xml, tag, "spacing")?,
         tilerendersize: tag.text("tilerendersize"),
+        fillmode: tag.text("fillmode"),
         objectalignment: tag.text("objectalignment"),
         ..Tileset::default()
     };
