@@ -271,7 +271,7 @@ fn directions_and_times_as_floating_point() {
     // Parts of 2^30, to nearest, ties to even: a step is 2^-24 from a half to one.
     let rounded = |raw: i32| (f64::from(raw) / f64::from(1 << 30)) as f32;
     for raw in
-        [0, 1, 3, (1 << 24) + 1, (1 << 24) + 3, (1 << 29) + 32, (1 << 29) + 96, 644_245_094, (1 << 30) - 1, 1 << 30]
+        [0_i32, 1, 3, (1 << 24) + 1, (1 << 24) + 3, (1 << 29) + 32, (1 << 29) + 96, 644_245_094, (1 << 30) - 1, 1 << 30]
     {
         let time = Toi::from_raw(raw.unsigned_abs()).unwrap();
         assert_eq!(time.to_f32().to_bits(), rounded(raw).to_bits());
