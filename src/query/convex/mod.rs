@@ -333,7 +333,7 @@ manifolds!([] Segment, Segment);
 
 /// The queries about a shape and a point.
 macro_rules! points {
-    ([$($n:tt)*] $a:ty) => {
+    ([$($n:tt)*] $a:ty, $example:literal) => {
         impl<$($n)*> Contains<Vec2> for $a {
             #[inline]
             fn contains(&self, b: &Vec2) -> bool {
@@ -377,13 +377,7 @@ macro_rules! points {
             /// Cost: two products for each side, and one root if a slanted side or a corner of a
             /// rounded shape is hit.
             ///
-            /// ```
-            /// use tilesat::{Axis, Capsule, Inside, Vec2, fx};
-            /// let hero = Capsule::new(Vec2::from_ints(20, 0), Vec2::from_ints(20, 16), fx!(4))?;
-            /// let hit = hero.cast_ray(Vec2::from_ints(0, 8), Vec2::from_ints(32, 0), Inside::Ignore)?.unwrap();
-            /// assert_eq!((hit.displacement, hit.axis), (Vec2::from_ints(16, 0), Axis::NEG_X));
-            /// # Ok::<(), tilesat::RangeError>(())
-            /// ```
+            #[doc = concat!("```\n", $example, "\n# Ok::<(), tilesat::RangeError>(())\n```")]
             ///
             /// # Errors
             /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
@@ -394,7 +388,34 @@ macro_rules! points {
     };
 }
 
-points!([] Capsule);
-points!([] OrientedBox);
-points!([const N: usize] ConvexPolygon<N>);
-points!([const N: usize] AnyShape<N>);
+points!(
+    [] Capsule,
+    "use tilesat::{Axis, Capsule, Inside, Vec2, fx};
+let hero = Capsule::new(Vec2::from_ints(20, 0), Vec2::from_ints(20, 16), fx!(4))?;
+let hit = hero.cast_ray(Vec2::from_ints(0, 8), Vec2::from_ints(32, 0), Inside::Ignore)?.unwrap();
+assert_eq!((hit.displacement, hit.axis), (Vec2::from_ints(16, 0), Axis::NEG_X));"
+);
+points!(
+    [] OrientedBox,
+    "use tilesat::{Axis, Inside, OrientedBox, Vec2};
+let door = OrientedBox::new(Vec2::from_ints(20, 0), Vec2::from_ints(5, 5), Axis::new(3, 4))?;
+let hit = door.cast_ray(Vec2::ZERO, Vec2::from_ints(40, 0), Inside::Ignore)?.unwrap();
+assert_eq!(hit.axis.unit(), Axis::new(-4, 3).unit()); // above its left corner, (13, -1)"
+);
+points!(
+    [const N: usize] ConvexPolygon<N>,
+    "use tilesat::{Axis, ConvexPolygon, Inside, Vec2};
+let corners = [Vec2::from_ints(10, 0), Vec2::from_ints(20, 10), Vec2::from_ints(10, 20)];
+let ramp = ConvexPolygon::<3>::new(&corners).unwrap();
+let hit = ramp.cast_ray(Vec2::from_ints(25, 5), Vec2::from_ints(-20, 0), Inside::Ignore)?.unwrap();
+assert_eq!(hit.displacement, Vec2::from_ints(-10, 0));
+assert_eq!(hit.axis.unit(), Axis::new(1, -1).unit());"
+);
+points!(
+    [const N: usize] AnyShape<N>,
+    "use tilesat::shape::AnyShape;
+use tilesat::{Aabb, Axis, Inside, Vec2};
+let crate_ = AnyShape::<4>::from(Aabb::new(Vec2::from_ints(16, -4), Vec2::from_ints(24, 4))?);
+let hit = crate_.cast_ray(Vec2::ZERO, Vec2::from_ints(32, 0), Inside::Ignore)?.unwrap();
+assert_eq!((hit.displacement, hit.axis), (Vec2::from_ints(16, 0), Axis::NEG_X));"
+);
