@@ -1,5 +1,7 @@
 //! Converts names of a level file to Rust names.
 
+use std::collections::{HashMap, HashSet};
+
 /// Words that cannot name an item.
 const KEYWORDS: &str = " as break const continue crate dyn else enum extern false fn for if impl in let loop match mod move mut pub ref \
                         return self static struct super trait true type unsafe use where while async await abstract become box do \
@@ -36,15 +38,21 @@ fn capitals<'a>(prefix: &str, names: impl Iterator<Item = &'a str>) -> Vec<Strin
 
 /// A repeated name gets a number.
 fn unique(names: impl Iterator<Item = String>) -> Vec<String> {
-    let mut taken: Vec<String> = Vec::new();
+    let mut taken: HashSet<String> = HashSet::new();
+    // All numbers of a name below this are taken. A level can have thousands of coins.
+    let mut next: HashMap<String, usize> = HashMap::new();
+    let mut all = Vec::new();
     for name in names {
         let mut free = name.clone();
-        let mut number = 2;
-        while taken.contains(&free) {
-            free = format!("{name}_{number}");
-            number += 1;
+        if taken.contains(&free) {
+            let number = next.entry(name.clone()).or_insert(2);
+            while taken.contains(&free) {
+                free = format!("{name}_{number}");
+                *number += 1;
+            }
         }
-        taken.push(free);
+        taken.insert(free.clone());
+        all.push(free);
     }
-    taken
+    all
 }
