@@ -11,6 +11,7 @@ mod command;
 mod corpus;
 mod damaged;
 mod drawn;
+mod formats;
 mod hostile;
 mod level;
 mod limits;

@@ -10,6 +10,7 @@ use serde::{Deserialize, Deserializer};
 use crate::model::decimal::Decimal;
 use crate::model::object::Spot;
 use crate::model::property::{CLASS, LIST, Properties, Value};
+use crate::model::tileset::Part;
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
@@ -63,10 +64,21 @@ pub(super) struct Tile {
     pub(super) properties: Listed,
     pub(super) objectgroup: Option<Box<Layer>>,
     pub(super) image: Option<String>,
-    #[serde(alias = "width")]
     pub(super) imagewidth: u32,
-    #[serde(alias = "height")]
     pub(super) imageheight: u32,
+    /// Since Tiled 1.9 a tile can be a part of its image, at this place and of this size.
+    pub(super) x: u32,
+    pub(super) y: u32,
+    pub(super) width: u32,
+    pub(super) height: u32,
+}
+
+impl Tile {
+    /// The part of the image: its corner and its size. All of it, if the file does not say.
+    pub(super) fn part(&self) -> Part {
+        let along = |own: u32, image: u32| if own > 0 { own } else { image };
+        Part { at: (self.x, self.y), size: (along(self.width, self.imagewidth), along(self.height, self.imageheight)) }
+    }
 }
 
 #[derive(Debug, Deserialize)]

@@ -171,12 +171,13 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     let count = set.tilecount.or(u32::try_from(counted).ok().filter(|&count| count > 0));
     let mut tiles = HashMap::new();
     for tile in set.tiles.0 {
+        let part = tile.part();
         let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
         let shapes = shapes
             .into_iter()
             .map(|drawn| templates.filled(drawn, folder, files).and_then(shape).map_err(&of_set))
             .collect::<Result<_>>()?;
-        let image = path(tile.image).map(|image| (image, (tile.imagewidth, tile.imageheight)));
+        let image = path(tile.image).map(|image| (image, part));
         tiles.insert(tile.id, Tile { class: tile.class, properties: tile.properties.0, shapes, image });
     }
     for (id, properties) in set.tileproperties {

@@ -1,0 +1,45 @@
+//! What old versions and other writers of Tiled and `LDtk` put into their files.
+
+use serde_json::{Value, json};
+use tilesat_tools::model::map::Map;
+use tilesat_tools::read::load;
+
+use crate::support::{Ran, rows, run, scratch};
+
+/// The only map of a file.
+fn read(name: &str, text: &str) -> Map {
+    load(&scratch("formats", name, text), None).unwrap().maps.remove(0)
+}
+
+fn bake(name: &str, text: &str) -> Ran {
+    run("bake", scratch("formats", name, text), "--json")
+}
+
+/// A map in JSON of these layers, with a tileset.
+fn json_map(layers: Value) -> Value {
+    json!({"orientation": "orthogonal", "width": 2, "height": 1, "tilewidth": 16, "tileheight": 16, "layers": layers,
+        "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 16, "tileheight": 16, "tilecount": 2, "columns": 2,
+            "tiles": [{"id": 0, "type": "Solid"}]}]})
+}
+
+fn json_layer(data: Value) -> Value {
+    json!({"type": "tilelayer", "name": "World", "width": 2, "height": 1, "data": data})
+}
+
+/// Since Tiled 1.9 a tile of a collection can be a part of its image.
+#[test]
+fn a_tile_that_is_a_part_of_its_image() {
+    let part = r#"<tile id="3" type="Solid" x="16" y="0" width="32" height="16"><image source="a.png" width="128" height="128"/></tile>"#;
+    let level = rows(&[".."]).replace(r#"<tile id="0" type="Solid"/>"#, part);
+    let tile = json!({"id": 3, "image": "a.png", "imagewidth": 128, "imageheight": 128, "x": 16, "y": 0, "width": 32,
+        "height": 16, "type": "Solid"});
+    let mut map = json_map(json!([json_layer(json!([4, 0]))]));
+    map["tilesets"][0]["tiles"] = json!([tile]);
+    for (name, text) in [("part.tmx", level.replace("0,0</data>", "4,0</data>")), ("part.tmj", map.to_string())] {
+        assert_eq!(read(name, &text).tilesets[0].size_of(3), (32, 16), "{name}");
+        let ran = bake(name, &text);
+        assert!(ran.status == 0 && ran.out.contains("\"solid\":2,"), "{name}: {ran:?}");
+    }
+    let whole = |text: String| text.replace(r#" x="16" y="0" width="32" height="16""#, "");
+    assert_eq!(read("whole.tmx", &whole(level)).tilesets[0].size_of(3), (128, 128));
+}
