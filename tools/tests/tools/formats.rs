@@ -43,3 +43,18 @@ fn a_tile_that_is_a_part_of_its_image() {
     let whole = |text: String| text.replace(r#" x="16" y="0" width="32" height="16""#, "");
     assert_eq!(read("whole.tmx", &whole(level)).tilesets[0].size_of(3), (128, 128));
 }
+
+/// Some programs wrap text in base64.
+#[test]
+fn wrapped_base64() {
+    let level = rows(&["#."]);
+    for (packing, text) in [
+        ("", "AQAAAAAAAAA="),
+        (" compression=\"zlib\"", "eJxjZIAAAAAQAAI="),
+        (" compression=\"zstd\"", "KLUv/SAIQQAAAQAAAAAAAAA="),
+    ] {
+        let wrapped = format!("<data encoding=\"base64\"{packing}>\n{}\r\n\t{}\n</data>", &text[..5], &text[5..]);
+        let map = read("wrapped.tmx", &level.replace("<data encoding=\"csv\">1,0</data>", &wrapped));
+        assert_eq!(map.layers[0].tiles().unwrap().drawn().count(), 1, "{packing}");
+    }
+}
