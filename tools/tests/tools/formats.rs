@@ -58,3 +58,21 @@ fn wrapped_base64() {
         assert_eq!(map.layers[0].tiles().unwrap().drawn().count(), 1, "{packing}");
     }
 }
+
+/// Tiled counts the tiles of an old tileset from its image: it has one margin.
+#[test]
+fn tiles_of_old_tilesets() {
+    let set = |width: u32, height: u32, margin: u32, spacing: u32| {
+        let image = format!(r#"<image source="a.png" width="{width}" height="{height}"/>"#);
+        let level = rows(&[".."]).replace(
+            r#"tilecount="4" columns="4">"#,
+            &format!(r#"margin="{margin}" spacing="{spacing}">{image}"#),
+        );
+        let map = read("old.tmx", &level);
+        (map.tilesets[0].columns, map.tilesets[0].count)
+    };
+    assert_eq!(set(64, 32, 0, 0), (4, Some(8)));
+    assert_eq!(set(68, 34, 4, 0), (4, Some(4)));
+    assert_eq!(set(69, 35, 2, 1), (4, Some(8)));
+    assert_eq!(set(66, 32, 3, 0), (3, Some(3)));
+}

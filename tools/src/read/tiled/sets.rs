@@ -162,7 +162,8 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));
     let along = |length: u32, tile: u32| {
         let step = u64::from(tile) + u64::from(set.spacing);
-        let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(2 * u64::from(set.margin));
+        // As Tiled counts: the margin is only before the first tile.
+        let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(u64::from(set.margin));
         room.checked_div(step).unwrap_or(0) as u32
     };
     let columns = if set.columns > 0 { set.columns } else { along(set.imagewidth, set.tilewidth) };
