@@ -76,3 +76,15 @@ fn tiles_of_old_tilesets() {
     assert_eq!(set(69, 35, 2, 1), (4, Some(8)));
     assert_eq!(set(66, 32, 3, 0), (3, Some(3)));
 }
+
+/// A document type can have comments.
+#[test]
+fn comments_in_a_document_type() {
+    let level = rows(&["#."]);
+    for inner in ["<!-- don't -->", "<!-- > ]> \" -->", "<?a don't ?>", "<!ENTITY a \"<!-- '\">"] {
+        let text = level.replacen("<map", &format!("<!DOCTYPE map [{inner}]>\n<map"), 1);
+        assert_eq!(read("type.tmx", &text).size, (2, 1), "{inner}");
+    }
+    let torn = level.replacen("<map", "<!DOCTYPE map [<!-- \n<map", 1);
+    assert!(bake("torn.tmx", &torn).err.contains("the file ends within a comment"));
+}
