@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use tilesat_tools::model::map::Map;
 use tilesat_tools::read::load;
 
-use crate::support::{Ran, rows, run, scratch};
+use crate::support::{self, Ran, rows, run, scratch};
 
 /// The only map of a file.
 fn read(name: &str, text: &str) -> Map {
@@ -87,4 +87,14 @@ fn comments_in_a_document_type() {
     }
     let torn = level.replacen("<map", "<!DOCTYPE map [<!-- \n<map", 1);
     assert!(bake("torn.tmx", &torn).err.contains("the file ends within a comment"));
+}
+
+/// `LDtk` wrote the values in another form once.
+#[test]
+fn old_projects() {
+    let new = support::ldtk(&["Full"], 2, 1, "1,0");
+    let old = new.replace(r#""intGridCsv":[1,0]"#, r#""intGrid":[{"coordId":0,"v":0}]"#);
+    let ran = bake("old.ldtk", &old.replacen('{', r#"{"jsonVersion":"0.7.2","#, 1));
+    assert!(ran.status == 2 && ran.err.contains("saved by LDtk 0.7.2: open it in a newer one, and save it"), "{ran:?}");
+    assert!(bake("older.ldtk", &old).err.contains("saved by an old LDtk: open it"));
 }

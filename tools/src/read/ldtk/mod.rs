@@ -40,7 +40,8 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
     let folder = path.parent().unwrap_or(Path::new(""));
     let tilesets: Vec<Rc<Tileset>> = project.defs.tilesets.iter().map(|set| Rc::new(tileset(set, folder))).collect();
     let definitions = &project.defs;
-    let mut reader = Reader { definitions, tilesets, folder, files, cells: 0, ids: Ids::default() };
+    let version = project.version.as_deref();
+    let mut reader = Reader { definitions, version, tilesets, folder, files, cells: 0, ids: Ids::default() };
     let alone =
         raw::World { identifier: String::new(), layout: project.layout, levels: project.levels.unwrap_or_default() };
     let worlds: Vec<raw::World> = std::iter::once(alone).chain(project.worlds).collect();
@@ -139,6 +140,8 @@ fn tileset(set: &raw::Tileset, folder: &Path) -> Tileset {
 
 struct Reader<'a> {
     definitions: &'a raw::Definitions,
+    /// Of the program that saved the project.
+    version: Option<&'a str>,
     tilesets: Vec<Rc<Tileset>>,
     folder: &'a Path,
     files: &'a mut Files,
@@ -219,6 +222,11 @@ impl Reader<'_> {
     fn values(&self, layer: &raw::Layer, tile: u16, palette: &mut Palette) -> Result<Layer> {
         let (width, height) = (layer.width.0 as u32, layer.height.0 as u32);
         if layer.values.len() as u64 != u64::from(width) * u64::from(height) {
+            // Before intGridCsv, LDtk listed only the cells with a value.
+            if layer.values.is_empty() {
+                let by = self.version.map_or_else(|| "an old LDtk".to_owned(), |version| format!("LDtk {version}"));
+                return Err(format!("it has no intGridCsv: saved by {by}: open it in a newer one, and save it"));
+            }
             return Err(format!("{} values for {width}x{height} cells", layer.values.len()));
         }
         let mut cells = Vec::with_capacity(layer.values.len());
