@@ -98,3 +98,14 @@ fn old_projects() {
     assert!(ran.status == 2 && ran.err.contains("saved by LDtk 0.7.2: open it in a newer one, and save it"), "{ran:?}");
     assert!(bake("older.ldtk", &old).err.contains("saved by an old LDtk: open it"));
 }
+
+/// What a property is called does not make a map a project.
+#[test]
+fn properties_with_the_names_of_a_project() {
+    let mut map = json_map(json!([json_layer(json!([1, 0]))]));
+    map["properties"] = json!([{"name": "levels", "type": "string", "value": "defs"}]);
+    map["editorsettings"] = json!({"levels": 1, "defs": {}});
+    assert_eq!(read("levels.json", &map.to_string()).size, (2, 1));
+    let project = support::ldtk(&["Full"], 2, 1, "1,0").replacen('{', r#"{"x":"\"orientation\"","#, 1);
+    assert!(read("project.json", &project).values);
+}

@@ -22,16 +22,26 @@ const MAX_CELLS: u64 = 1 << 24;
 /// The limit for all levels of a project together.
 const MAX_PROJECT: u64 = 1 << 25;
 
-/// Whether the JSON is not a map of Tiled, which has a direction of its cells.
-pub(super) fn is_project(bytes: &[u8]) -> bool {
-    let text = std::str::from_utf8(bytes).unwrap_or_default();
-    has_definitions(bytes) || !text.contains("\"orientation\"") && !text.contains("\"tilewidth\"")
+/// What a file in JSON looks like, whatever its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Looks {
+    Project,
+    /// A map of Tiled has a direction of its cells.
+    Map,
+    Neither,
 }
 
-/// Whether it looks like a project, whatever its name.
-pub(super) fn has_definitions(bytes: &[u8]) -> bool {
-    let text = std::str::from_utf8(bytes).unwrap_or_default();
-    text.contains("\"defs\"") || text.contains("\"levels\"")
+/// Judges by the names of its members: a map can have a property of any name.
+pub(super) fn looks(bytes: &[u8]) -> Looks {
+    let keys = json::keys(bytes);
+    let has = |names: &[&str]| keys.iter().any(|key| names.iter().any(|name| name.as_bytes() == *key));
+    if has(&["orientation", "tilewidth"]) {
+        Looks::Map
+    } else if has(&["defs", "levels", "worlds"]) {
+        Looks::Project
+    } else {
+        Looks::Neither
+    }
 }
 
 /// All levels of a project, or the one of this name.
