@@ -109,3 +109,37 @@ fn properties_with_the_names_of_a_project() {
     let project = support::ldtk(&["Full"], 2, 1, "1,0").replacen('{', r#"{"x":"\"orientation\"","#, 1);
     assert!(read("project.json", &project).values);
 }
+
+/// Programs other than Tiled write both names of the class, whole numbers as floats, and null.
+#[test]
+fn json_of_other_programs() {
+    let object = json!({"id": 2.0, "x": 0, "y": 0, "width": 4, "height": 4, "type": "Solid", "class": "Solid",
+        "properties": null});
+    let group = json!({"type": "objectgroup", "name": "things", "objects": [object], "properties": null});
+    let mut map = json_map(json!([json_layer(json!([1.0, 0])), group]));
+    map["tilewidth"] = json!(16.0);
+    map["tilesets"][0]["tiles"][0]["class"] = json!("");
+    map["tilesets"][0]["columns"] = Value::Null;
+    let ran = bake("other.tmj", &map.to_string());
+    assert!(ran.status == 0 && ran.out.contains("\"solid\":1,") && ran.out.contains("\"segments\":4"), "{ran:?}");
+    map["tilewidth"] = json!(16.5);
+    let ran = bake("half.tmj", &map.to_string());
+    assert!(ran.status == 2 && ran.err.contains("16.5"), "{ran:?}");
+}
+
+/// As deep as in XML.
+#[test]
+fn groups_in_json() {
+    let nested = |depth: usize| {
+        let group = |inner: Value, _| json!({"type": "group", "name": "g", "layers": [inner]});
+        json_map(json!([(0..depth).fold(json_layer(json!([1, 0])), group)])).to_string()
+    };
+    assert_eq!(read("deep.tmj", &nested(90)).layers.len(), 1);
+    let ran = bake("deeper.tmj", &nested(110));
+    assert!(ran.status == 2 && ran.err.contains("nested more than"), "{ran:?}");
+    let open = "{\"layers\":[".repeat(200_000);
+    for text in [open.clone(), json_map(json!([])).to_string().replacen('{', &format!("{{\"x\":{open}"), 1)] {
+        let ran = bake("deepest.tmj", &text);
+        assert!(ran.status == 2 && ran.err.contains("nested more than"), "{ran:?}");
+    }
+}

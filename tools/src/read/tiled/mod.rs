@@ -2,6 +2,7 @@
 //! [`raw`] form, from which this makes a level.
 
 mod data;
+mod lax;
 mod objects;
 mod raw;
 mod sets;

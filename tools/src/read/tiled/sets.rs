@@ -179,7 +179,8 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
             .map(|drawn| templates.filled(drawn, folder, files).and_then(shape).map_err(&of_set))
             .collect::<Result<_>>()?;
         let image = path(tile.image).map(|image| (image, part));
-        tiles.insert(tile.id, Tile { class: tile.class, properties: tile.properties.0, shapes, image });
+        let class = if tile.kind.is_empty() { tile.class } else { tile.kind };
+        tiles.insert(tile.id, Tile { class, properties: tile.properties.0, shapes, image });
     }
     for (id, properties) in set.tileproperties {
         tiles.entry(id).or_default().properties.0.extend(properties.0.0);
