@@ -19,6 +19,7 @@ mod lint;
 mod lint_bounded;
 mod lint_cases;
 mod lint_geometry;
+mod messages;
 mod objects;
 mod outputs;
 mod play;

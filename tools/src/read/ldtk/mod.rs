@@ -342,6 +342,7 @@ fn object(entity: &raw::Entity, id: u32, side: u16, ids: &mut Ids) -> Object {
         at: (corner(entity.px.0, entity.width, entity.pivot.0), corner(entity.px.1, entity.height, entity.pivot.1)),
         size: (pixels(entity.width), pixels(entity.height)),
         rotation: Decimal::ZERO,
+        hidden: false,
         form: Form::Rectangle,
     }
 }

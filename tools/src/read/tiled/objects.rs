@@ -71,6 +71,7 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
         height: own.height.or(template.height),
         rotation: own.rotation.or(template.rotation),
         gid: own.gid.or(template.gid),
+        visible: own.visible.or(template.visible),
         properties: raw::Listed(properties),
         ..form
     }
@@ -154,6 +155,7 @@ pub(super) fn shape(object: raw::Object) -> Result<Object> {
         at: (object.x.0, object.y.0),
         size,
         rotation: number(object.rotation),
+        hidden: object.visible == Some(false),
         form,
     })
 }

@@ -205,6 +205,7 @@ pub(super) struct Object {
     pub(super) rotation: Option<Number>,
     #[serde(deserialize_with = "lax::count")]
     pub(super) gid: Option<u32>,
+    pub(super) visible: Option<bool>,
     pub(super) point: bool,
     pub(super) ellipse: bool,
     pub(super) capsule: bool,

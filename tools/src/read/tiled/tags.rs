@@ -265,6 +265,7 @@ fn object(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Object> {
         height: decimal(xml, tag, "height")?,
         rotation: decimal(xml, tag, "rotation")?,
         gid: count(xml, tag, "gid")?,
+        visible: tag.get("visible").map(|value| value != "0"),
         template: tag.get("template").map(str::to_owned),
         ..Object::default()
     };
