@@ -9,16 +9,17 @@ const KEYWORDS: &str = " as break const continue crate dyn else enum extern fals
 
 /// A module name for each level: small letters, digits and underscores, each unique.
 pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
-    let plain = |name: &str| {
-        let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
-        let name: String = name.chars().map(letter).collect();
-        let name = name.trim_matches('_');
-        let wrong = name.is_empty()
-            || name.starts_with(|c: char| c.is_ascii_digit())
-            || KEYWORDS.contains(&format!(" {name} "));
-        if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name.to_owned() }
-    };
-    unique(names.map(plain))
+    unique(names.map(module))
+}
+
+/// The module of a level whose name no other level has.
+pub(crate) fn module(name: &str) -> String {
+    let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let name: String = name.chars().map(letter).collect();
+    let name = name.trim_matches('_');
+    let wrong =
+        name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) || KEYWORDS.contains(&format!(" {name} "));
+    if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name.to_owned() }
 }
 
 /// A constant name for each flag: `FLAG_` and the name in capitals, each unique.

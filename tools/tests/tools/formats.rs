@@ -64,10 +64,8 @@ fn wrapped_base64() {
 fn tiles_of_old_tilesets() {
     let set = |width: u32, height: u32, margin: u32, spacing: u32| {
         let image = format!(r#"<image source="a.png" width="{width}" height="{height}"/>"#);
-        let level = rows(&[".."]).replace(
-            r#"tilecount="4" columns="4">"#,
-            &format!(r#"margin="{margin}" spacing="{spacing}">{image}"#),
-        );
+        let level = rows(&[".."])
+            .replace(r#"tilecount="4" columns="4">"#, &format!(r#"margin="{margin}" spacing="{spacing}">{image}"#));
         let map = read("old.tmx", &level);
         (map.tilesets[0].columns, map.tilesets[0].count)
     };
