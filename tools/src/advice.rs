@@ -19,11 +19,11 @@ pub(crate) fn in_file(message: &str) -> String {
             continue;
         };
         match before.strip_suffix("add ") {
-            Some(start) => text.push_str(&format!("{start}write ")),
+            Some(start) => text.extend([start, "write "]),
             None => text.push_str(before),
         }
         let (value, after) = value(&after[name.len()..]);
-        text.push_str(&match value {
+        let line = match value {
             Some(value) if list.is_some() => format!("{name} = [{value:?}] in tilesat.toml"),
             // A value that is a word of the sentence is none.
             Some(value) if value.starts_with(|c: char| c.is_ascii_digit()) => {
@@ -31,7 +31,8 @@ pub(crate) fn in_file(message: &str) -> String {
             }
             Some(value) => format!("{name} in tilesat.toml {value}"),
             None => format!("{name} in tilesat.toml"),
-        });
+        };
+        text.push_str(&line);
         rest = after;
     }
     text + rest

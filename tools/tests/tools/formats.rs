@@ -16,12 +16,14 @@ fn bake(name: &str, text: &str) -> Ran {
 }
 
 /// A map in JSON of these layers, with a tileset.
+#[allow(clippy::needless_pass_by_value, reason = "the macro takes it by reference")]
 fn json_map(layers: Value) -> Value {
     json!({"orientation": "orthogonal", "width": 2, "height": 1, "tilewidth": 16, "tileheight": 16, "layers": layers,
         "tilesets": [{"firstgid": 1, "name": "t", "tilewidth": 16, "tileheight": 16, "tilecount": 2, "columns": 2,
             "tiles": [{"id": 0, "type": "Solid"}]}]})
 }
 
+#[allow(clippy::needless_pass_by_value, reason = "the macro takes it by reference")]
 fn json_layer(data: Value) -> Value {
     json!({"type": "tilelayer", "name": "World", "width": 2, "height": 1, "data": data})
 }
