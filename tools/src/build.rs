@@ -15,11 +15,12 @@
 //! include!(concat!(env!("OUT_DIR"), "/levels.rs"));
 //! ```
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::{env, fmt, fs};
 
+use crate::advice::in_file;
 use crate::bake::{self, Bundle, Outputs, Settings, names, source};
 use crate::fail::{Fail, one_line};
 use crate::model::map::Map;
@@ -39,10 +40,10 @@ impl fmt::Display for Failed {
     }
 }
 
-/// As `main` prints it, after `Error: `.
+/// As `main` prints it, after `Error: `: the reasons come first.
 impl fmt::Debug for Failed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "no levels\n{self}")
+        write!(f, "{self}\nno level is written")
     }
 }
 
@@ -138,9 +139,14 @@ pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
             failed.extend(result.err().filter(|_| failed.is_empty()));
             // Grouped by file: each line begins with its path.
             failed.sort_by_key(Fail::to_string);
-            return Err(Failed(failed));
+            return Err(Failed(failed.iter().map(|fail| Fail::new(in_file(&fail.to_string()))).collect()));
         }
     };
+    let baked: Vec<&(PathBuf, Map)> =
+        drawn.iter().filter(|(_, map)| !listed(&settings.options.ignored_levels, &map.name)).collect();
+    if let Some(both) = collision(&baked) {
+        return Err(both.into());
+    }
     let name = names::modules([from.file_name().unwrap_or_default().to_string_lossy().as_ref()].into_iter()).concat();
     let text = format!(
         "/// Baked levels.\npub mod {name} {{\n\
@@ -152,7 +158,43 @@ pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
     let mut outputs = Outputs::default();
     outputs.add(out.to_owned(), text.into_bytes());
     outputs.write(&read)?;
-    Ok(Folder { files: read, warnings: warnings(&bundle, &drawn, &settings.options) })
+    let mut warnings = renamed(&baked, &source::modules(&bundle), &name);
+    warnings.extend(self::warnings(&bundle, &drawn, &settings.options));
+    Ok(Folder { files: read, warnings })
+}
+
+/// Two files whose levels would be one module: a new file would take over the name of an old one.
+fn collision(baked: &[&(PathBuf, Map)]) -> Option<Fail> {
+    let mut seen: HashMap<String, &Path> = HashMap::new();
+    for (file, map) in baked {
+        let module = names::module(&map.name);
+        let known = seen.get(&module).copied().filter(|known| known != file);
+        if let Some(known) = known {
+            return Some(Fail::new(format!(
+                "{} and {}: both would be the module {module}; rename one of them",
+                known.display(),
+                file.display()
+            )));
+        }
+        seen.insert(module, file);
+    }
+    None
+}
+
+/// A warning about each level whose module has another name than the level.
+fn renamed(baked: &[&(PathBuf, Map)], modules: &[String], folder: &str) -> Vec<String> {
+    let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let line = |((file, map), module): (&&(PathBuf, Map), &String)| {
+        let plain: String = map.name.chars().map(letter).collect();
+        (plain.trim_matches('_') != module).then(|| {
+            format!(
+                "{}: its module is {folder}::{module}, because '{}' is no free name of a module; rename the level",
+                file.display(),
+                map.name
+            )
+        })
+    };
+    baked.iter().zip(modules).filter_map(line).collect()
 }
 
 /// The warnings about each level, and about flags that no level can keep.
@@ -161,7 +203,8 @@ fn warnings(bundle: &Bundle, drawn: &[(PathBuf, Map)], options: &Options) -> Vec
     let mut lines = Vec::new();
     for (level, (file, map)) in bundle.levels.iter().zip(baked) {
         let level = level.surprises().into_iter();
-        lines.extend(level.map(|line| format!("{}: {}{line}", file.display(), title(drawn, file, map))));
+        let line = |line: String| format!("{}: {}{}", file.display(), title(drawn, file, map), in_file(&line));
+        lines.extend(level.map(line));
     }
     let flag = |name: &String| format!("the flag {name} is dropped: tiles have at most eight, and `flag` names others");
     lines.extend(bundle.dropped.iter().map(flag));

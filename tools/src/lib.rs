@@ -32,6 +32,7 @@
 //! ```
 #![allow(clippy::must_use_candidate, reason = "every function here is called for its answer")]
 
+mod advice;
 pub mod bake;
 pub mod build;
 #[cfg(feature = "program")]

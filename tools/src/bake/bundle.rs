@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use tilesat::{Fx, TileKind, TileKinds};
 
 use super::level::{Ids, Level};
-use super::segments::{Shapes, refuse_crossed};
+use super::segments::{self, Shapes};
 use super::{Baked, source};
 use crate::fail::{Fail, Result};
-use crate::model::map::Map;
+use crate::model::map::{Content, Map};
 use crate::rules::flags::Flags;
 use crate::rules::ground::Ground;
 use crate::rules::kind::Kind;
@@ -74,9 +74,13 @@ pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
 
 fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Result<Baked> {
     let mut ground = Ground::of(map, &settings.options, flags)?;
-    refuse_crossed(&ground.outlines)?;
+    let repeated = segments::once(&mut ground.outlines);
+    segments::refuse_crossed(&ground.outlines)?;
     let tiles = Level::with(&ground, &flags.names, ids)?;
     let mut objects = None;
+    ground.notes.extend(repeated);
+    let hidden = hidden(map, &ground.outlines);
+    ground.notes.extend(hidden);
     if !ground.outlines.is_empty() {
         let outlines = distinct(&ground.outlines);
         let twice = ground.outlines.len() - outlines.len();
@@ -94,6 +98,38 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
     // The level's tiles now hold them as one byte each instead of two.
     ground.cells = Vec::new();
     Ok(Baked { ground, tiles, kinds: TileKinds::EMPTY, objects, flags: Vec::new() })
+}
+
+/// A note about the solid objects of each layer that the editor does not show.
+fn hidden(map: &Map, outlines: &[Outline]) -> Vec<String> {
+    const MOST_NAMED: usize = 5;
+    let solid: HashSet<(&str, u32)> =
+        outlines.iter().map(|outline| (outline.title.layer.as_str(), outline.title.id)).collect();
+    let mut notes = Vec::new();
+    for layer in &map.layers {
+        let Content::Objects(objects) = &layer.content else { continue };
+        let hidden = objects.iter().filter(|object| object.hidden && solid.contains(&(layer.name.as_str(), object.id)));
+        let mut titles: Vec<String> = hidden
+            .map(|object| match object.name.as_str() {
+                "" => format!("object {}", object.id),
+                name => format!("object {} '{name}'", object.id),
+            })
+            .collect();
+        let (count, is) = (titles.len(), if titles.len() == 1 { "object" } else { "objects" });
+        if count > MOST_NAMED {
+            titles.truncate(MOST_NAMED);
+            titles.push(format!("{} more", count - MOST_NAMED));
+        }
+        if count > 0 {
+            notes.push(format!(
+                "{count} {is} of layer '{}' {} hidden, and solid all the same: {}; delete what should not be solid",
+                layer.name,
+                if count == 1 { "is" } else { "are" },
+                titles.join(", ")
+            ));
+        }
+    }
+    notes
 }
 
 /// The library counts the polygons around a point in a byte.

@@ -1,5 +1,7 @@
 //! Converts names of a level file to Rust names.
 
+use std::collections::{HashMap, HashSet};
+
 /// Words that cannot name an item.
 const KEYWORDS: &str = " as break const continue crate dyn else enum extern false fn for if impl in let loop match mod move mut pub ref \
                         return self static struct super trait true type unsafe use where while async await abstract become box do \
@@ -7,16 +9,17 @@ const KEYWORDS: &str = " as break const continue crate dyn else enum extern fals
 
 /// A module name for each level: small letters, digits and underscores, each unique.
 pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
-    let plain = |name: &str| {
-        let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
-        let name: String = name.chars().map(letter).collect();
-        let name = name.trim_matches('_');
-        let wrong = name.is_empty()
-            || name.starts_with(|c: char| c.is_ascii_digit())
-            || KEYWORDS.contains(&format!(" {name} "));
-        if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name.to_owned() }
-    };
-    unique(names.map(plain))
+    unique(names.map(module))
+}
+
+/// The module of a level whose name no other level has.
+pub(crate) fn module(name: &str) -> String {
+    let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let name: String = name.chars().map(letter).collect();
+    let name = name.trim_matches('_');
+    let wrong =
+        name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) || KEYWORDS.contains(&format!(" {name} "));
+    if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name.to_owned() }
 }
 
 /// A constant name for each flag: `FLAG_` and the name in capitals, each unique.
@@ -36,15 +39,21 @@ fn capitals<'a>(prefix: &str, names: impl Iterator<Item = &'a str>) -> Vec<Strin
 
 /// A repeated name gets a number.
 fn unique(names: impl Iterator<Item = String>) -> Vec<String> {
-    let mut taken: Vec<String> = Vec::new();
+    let mut taken: HashSet<String> = HashSet::new();
+    // All numbers of a name below this are taken. A level can have thousands of coins.
+    let mut next: HashMap<String, usize> = HashMap::new();
+    let mut all = Vec::new();
     for name in names {
         let mut free = name.clone();
-        let mut number = 2;
-        while taken.contains(&free) {
-            free = format!("{name}_{number}");
-            number += 1;
+        if taken.contains(&free) {
+            let number = next.entry(name.clone()).or_insert(2);
+            while taken.contains(&free) {
+                free = format!("{name}_{number}");
+                *number += 1;
+            }
         }
-        taken.push(free);
+        taken.insert(free.clone());
+        all.push(free);
     }
-    taken
+    all
 }

@@ -63,19 +63,29 @@ fn cannot(path: &Path, error: &std::io::Error) -> Fail {
     Fail::new(format!("cannot write {}: {error}", path.display()))
 }
 
-/// The real path of a file. A link stays a link.
+/// The most links from one to the next, as of Linux.
+const MAX_LINKS: usize = 40;
+
+/// The real path of a file. A link stays a link, also one to a file that does not exist yet.
 fn place(path: &Path) -> Result<PathBuf> {
-    match fs::metadata(path) {
-        Ok(known) if known.is_file() => fs::canonicalize(path).map_err(|e| cannot(path, &e)),
-        Ok(_) => Err(Fail::new(format!("cannot write {}: it exists and is not a file", path.display()))),
-        Err(_) => {
-            let name = path
-                .file_name()
-                .ok_or_else(|| Fail::new(format!("cannot write {}: it has no file name", path.display())))?;
-            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-            Ok(fs::canonicalize(folder).map_err(|e| cannot(path, &e))?.join(name))
+    let mut real = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        match fs::metadata(&real) {
+            Ok(known) if known.is_file() => return fs::canonicalize(&real).map_err(|e| cannot(path, &e)),
+            Ok(_) => return Err(Fail::new(format!("cannot write {}: it exists and is not a file", path.display()))),
+            Err(_) => {}
+        }
+        let name = real
+            .file_name()
+            .ok_or_else(|| Fail::new(format!("cannot write {}: it has no file name", path.display())))?;
+        let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let beside = fs::canonicalize(folder).map_err(|e| cannot(path, &e))?;
+        match fs::read_link(&real) {
+            Ok(target) => real = beside.join(target),
+            Err(_) => return Ok(beside.join(name)),
         }
     }
+    Err(Fail::new(format!("cannot write {}: it is a link that leads nowhere; remove it", path.display())))
 }
 
 /// Whether two paths lead to one file, even under different names.
@@ -103,7 +113,12 @@ impl Moves {
         let beside = |what: &str| place.with_file_name(format!(".{name}.{}.{what}", std::process::id()));
         let (new, old) = (beside("new"), beside("old"));
         self.files.push((new.clone(), place.to_owned(), old));
-        fs::write(&new, bytes)
+        fs::write(&new, bytes)?;
+        // A file that others may not read stays so.
+        match fs::metadata(place) {
+            Ok(before) => fs::set_permissions(&new, before.permissions()),
+            Err(_) => Ok(()),
+        }
     }
 
     /// Moves all files to their paths, or restores all.

@@ -34,13 +34,9 @@ impl Shapes {
                 return Err(of_object(&format!("a {} that is not closed", outline.kind)));
             }
             let mut points = Vec::new();
-            for (i, &(x, y)) in outline.points.iter().enumerate() {
+            for &(x, y) in &outline.points {
                 // Far outside the domain. The library refuses nearer points itself.
-                let beyond = |_| {
-                    of_object(&format!(
-                        "point {i} is beyond the domain of 8192 pixels; --scale makes everything smaller"
-                    ))
-                };
+                let beyond = |_| Fail::new(format!("{}{}: {OUTSIDE}", outline.title, at((x, y))));
                 points.push(Vec2::from_raw(i32::try_from(x).map_err(beyond)?, i32::try_from(y).map_err(beyond)?));
             }
             // A polygon closes itself. A chain does not.
@@ -182,25 +178,75 @@ pub(crate) fn refuse_crossed(outlines: &[Outline]) -> Result<()> {
     Ok(())
 }
 
-/// The library counts paths, but the user knows objects.
+/// Drops points that repeat the one before: an editor adds one if the user clicks twice, or closes a
+/// polygon by hand. Returns a note about each outline with such points.
+pub(crate) fn once(outlines: &mut [Outline]) -> Vec<String> {
+    let mut notes = Vec::new();
+    for outline in outlines {
+        let before = outline.points.len();
+        let mut kept: Vec<usize> = Vec::new();
+        for (i, point) in outline.points.iter().enumerate() {
+            if kept.last().is_none_or(|&last| outline.points[last] != *point) {
+                kept.push(i);
+            }
+        }
+        while outline.closed
+            && kept.len() > 1
+            && kept.last().map(|&i| outline.points[i]) == outline.points.first().copied()
+        {
+            kept.pop();
+        }
+        if kept.len() == before {
+            continue;
+        }
+        outline.rounding = kept.iter().filter_map(|&i| outline.rounding.get(i).copied()).collect();
+        outline.points = kept.iter().map(|&i| outline.points[i]).collect();
+        let dropped = match before - kept.len() {
+            1 => "1 point is dropped: it".to_owned(),
+            count => format!("{count} points are dropped: each"),
+        };
+        notes.push(format!("{}: {dropped} is the same as the one before", outline.title));
+    }
+    notes
+}
+
+const OUTSIDE: &str =
+    "it is outside of the domain: coordinates stay below 8192 pixels; move it, or --scale makes everything smaller";
+
+/// A position in pixels.
+#[allow(clippy::cast_precision_loss, reason = "a message needs two digits")]
+fn at((x, y): (i64, i64)) -> String {
+    let pixels = |raw: i64| (raw as f64 / 655.36).round() / 100.0;
+    format!(" at ({}, {})", pixels(x), pixels(y))
+}
+
+/// The library counts paths and raw units, but the user knows objects and pixels.
 fn named(error: &SegmentMapError, outlines: &[Outline]) -> String {
-    let (path, point) = match *error {
-        SegmentMapError::TooFewPoints { path, .. } | SegmentMapError::NoArea { path } => (path, None),
-        SegmentMapError::ZeroLength { path, point }
-        | SegmentMapError::OutOfDomain { path, point, .. }
-        | SegmentMapError::OutsideGrid { path, point }
-        | SegmentMapError::TooManySegments { path, point }
-        | SegmentMapError::TooManyRefs { path, point } => (path, Some(point)),
+    let (path, point, why) = match *error {
+        SegmentMapError::TooFewPoints { path, points } => {
+            (path, None, format!("it has {points} different points: a polygon needs 3, a chain 2"))
+        }
+        SegmentMapError::NoArea { path } => (path, None, "it has no area: draw a polyline, which is a wall".to_owned()),
+        SegmentMapError::ZeroLength { path, point } => {
+            (path, Some(point), "the next point is the same: remove one of them".to_owned())
+        }
+        SegmentMapError::OutOfDomain { path, point, .. } => (path, Some(point), OUTSIDE.to_owned()),
+        SegmentMapError::OutsideGrid { path, point } => {
+            (path, Some(point), "it is outside of the cells: use larger cells (--cell)".to_owned())
+        }
+        SegmentMapError::TooManySegments { path, point } => {
+            (path, Some(point), "with it there are more than 32768 segments: cut the level in two".to_owned())
+        }
+        SegmentMapError::TooManyRefs { path, point } => {
+            let why = "with it the cells list more than 65535 segments: use larger cells (--cell)";
+            (path, Some(point), why.to_owned())
+        }
         _ => return format!("the objects: {error}"),
     };
-    let Some(outline) = outlines.get(path as usize) else { return error.to_string() };
-    let has_inside = outline.kind.has_area() && outline.points.len() > 2;
-    if let Some(why) = flat(outline).filter(|_| has_inside) {
+    let Some(outline) = outlines.get(path as usize) else { return format!("the objects: {why}") };
+    if let Some(why) = flat(outline).filter(|_| outline.kind.has_area()) {
         return format!("{}: {why}", outline.title);
     }
-    let place = point.and_then(|point| outline.points.get(point as usize)).map_or(String::new(), |&(x, y)| {
-        let pixels = |raw: i64| Fx::from_bits(i32::try_from(raw).unwrap_or(i32::MAX));
-        format!(" at ({}, {})", pixels(x), pixels(y))
-    });
-    format!("{}{place}: {error}", outline.title)
+    let place = point.and_then(|point| outline.points.get(point as usize)).map_or(String::new(), |&point| at(point));
+    format!("{}{place}: {why}", outline.title)
 }

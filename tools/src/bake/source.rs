@@ -8,6 +8,7 @@ use super::bundle::Bundle;
 use super::level::Level;
 use super::segments::Shapes;
 use super::{Baked, items, names, things};
+use crate::fail::one_line;
 use crate::rules::outline::LeftOut;
 
 /// The compiler takes too long to build a map with more segments than this. Such a level includes
@@ -47,7 +48,7 @@ pub(crate) fn items(bundle: &Bundle) -> String {
 
 /// A module for each level, and their shared items. It belongs into a module.
 pub(crate) fn several(bundle: &Bundle) -> String {
-    let mut text = format!("use tilesat::{};\n\n", items::imports(&bundle.kinds));
+    let mut text = format!("use ::tilesat::{};\n\n", items::imports(&bundle.kinds));
     text += &items::flags(&flags(bundle));
     text += "/// The meaning of the ids of all levels.\n#[rustfmt::skip]\n";
     text += &items::kinds(&bundle.kinds);
@@ -56,7 +57,7 @@ pub(crate) fn several(bundle: &Bundle) -> String {
         text += things::TYPE;
     }
     for (level, module) in bundle.levels.iter().zip(modules(bundle)) {
-        let title: String = level.ground.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+        let title = one_line(&level.ground.name);
         let _ = writeln!(text, "\n/// {title}\npub mod {module} {{");
         let mut inner = String::new();
         if let Some(tiles) = &level.tiles {
@@ -101,7 +102,7 @@ pub(crate) fn constants(flags: &[String]) -> Vec<(String, u8)> {
 
 fn alone(text: &mut String, level: &Baked, flags: &[(String, u8)], from: &Bytes) {
     if let Some(tiles) = &level.tiles {
-        let _ = writeln!(text, "use tilesat::{};\n", items::imports(&tiles.ids));
+        let _ = writeln!(text, "use ::tilesat::{};\n", items::imports(&tiles.ids));
         *text += &items::size(tiles);
         *text += &items::flags(flags);
         let bytes = match from {
@@ -157,19 +158,19 @@ fn map(text: &mut String, level: &Level) {
     let (tile, bytes) = (Fx::from_num(level.tile), level.tiles.len());
     let set = items::set(&level.ids);
     let (origin, place) = match level.origin {
-        (0, 0) => ("tilesat::Vec2::ZERO".to_owned(), "at the origin"),
-        (x, y) => (format!("tilesat::Vec2::from_raw({x}, {y})"), "at this place"),
+        (0, 0) => ("::tilesat::Vec2::ZERO".to_owned(), "at the origin"),
+        (x, y) => (format!("::tilesat::Vec2::from_raw({x}, {y})"), "at this place"),
     };
     let _ = write!(
         text,
         "/// Where the cells are: the first corner is {place}.\n\
          #[rustfmt::skip]\n\
-         pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit(\"{tile}\"), {origin}) {{\n    \
+         pub const GRID: ::tilesat::Grid = match ::tilesat::Grid::new(WIDTH, HEIGHT, ::tilesat::Fx::lit(\"{tile}\"), {origin}) {{\n    \
          Ok(grid) => grid,\n    \
          Err(_) => panic!(\"the cells do not fit\"),\n\
          }};\n\
          /// The level as it was drawn, with nothing outside.\n\
-         pub static MAP: tilesat::TileMap<tilesat::{set}> = match map(TILES) {{\n    \
+         pub static MAP: ::tilesat::TileMap<::tilesat::{set}> = match map(TILES) {{\n    \
          Ok(map) => map,\n    \
          Err(_) => panic!(\"the tiles do not fit\"),\n\
          }};\n\
@@ -178,8 +179,8 @@ fn map(text: &mut String, level: &Level) {
          /// # Errors\n\
          /// None: the array has the size of the level, and the set has all kinds.\n\
          #[rustfmt::skip]\n\
-         pub const fn map(tiles: &[u8; {bytes}]) -> Result<tilesat::TileMap<'_, tilesat::{set}>, tilesat::TileMapError> {{\n    \
-         tilesat::TileMap::of(tiles, GRID, &KINDS)\n\
+         pub const fn map(tiles: &[u8; {bytes}]) -> Result<::tilesat::TileMap<'_, ::tilesat::{set}>, ::tilesat::TileMapError> {{\n    \
+         ::tilesat::TileMap::of(tiles, GRID, &KINDS)\n\
          }}\n"
     );
 }
@@ -190,7 +191,7 @@ fn included(text: &mut String, bytes: &str) {
         "/// Polygons and chains, built beforehand.\n\
          #[allow(long_running_const_eval, reason = \"it ends, because the level is finite\")]\n\
          #[rustfmt::skip]\n\
-         pub static SEGMENTS: tilesat::SegmentMap = match tilesat::SegmentMap::from_bytes({bytes}) {{\n    \
+         pub static SEGMENTS: ::tilesat::SegmentMap = match ::tilesat::SegmentMap::from_bytes({bytes}) {{\n    \
          Ok(map) => map,\n    \
          Err(_) => panic!(\"the segments are damaged\"),\n\
          }};\n"
@@ -198,7 +199,7 @@ fn included(text: &mut String, bytes: &str) {
 }
 
 fn built(text: &mut String, shapes: &Shapes, cell: Fx) {
-    text.push_str("\nuse tilesat::{Fx, Path, PathKind, Vec2, segment_map};\n\n");
+    text.push_str("\nuse ::tilesat::{Fx, Path, PathKind, Vec2, segment_map};\n\n");
     for (i, points) in shapes.points.iter().enumerate() {
         let _ = writeln!(text, "#[rustfmt::skip]\nconst POINTS_{i}: [Vec2; {}] = [", points.len());
         for point in points {

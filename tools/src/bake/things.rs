@@ -33,9 +33,9 @@ pub(crate) const TYPE: &str = "/// An object of the level that is not solid. A p
         pub id: u32,\n    \
         pub class: &'static str,\n    \
         pub name: &'static str,\n    \
-        pub area: tilesat::Aabb,\n    \
+        pub area: ::tilesat::Aabb,\n    \
         /// Those of a polygon or a polyline, such as the way of a lift.\n    \
-        pub points: &'static [tilesat::Vec2],\n    \
+        pub points: &'static [::tilesat::Vec2],\n    \
         /// As drawn. A list is several entries with one name.\n    \
         pub properties: &'static [(&'static str, Value)],\n\
     }\n\
@@ -44,11 +44,11 @@ pub(crate) const TYPE: &str = "/// An object of the level that is not solid. A p
     pub enum Value {\n    \
         Bool(bool),\n    \
         /// Rounded to nearest. One that 16.16 cannot hold is a text.\n    \
-        Number(tilesat::Fx),\n    \
+        Number(::tilesat::Fx),\n    \
         Text(&'static str),\n    \
         /// A reference to the object with this id.\n    \
         Object(u32),\n    \
-        Point(tilesat::Vec2),\n\
+        Point(::tilesat::Vec2),\n\
     }\n\
     impl Object {\n    \
         /// The value of a property.\n    \
@@ -56,15 +56,15 @@ pub(crate) const TYPE: &str = "/// An object of the level that is not solid. A p
             self.properties.iter().find(|property| property.0 == name).map(|property| property.1)\n    \
         }\n    \
         /// The number of a property.\n    \
-        pub fn number(&self, name: &str) -> Option<tilesat::Fx> {\n        \
+        pub fn number(&self, name: &str) -> Option<::tilesat::Fx> {\n        \
             match self.property(name) {\n            \
                 Some(Value::Number(number)) => Some(number),\n            \
                 _ => None,\n        \
             }\n    \
         }\n\
     }\n\
-    const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {\n    \
-        match tilesat::Aabb::new(tilesat::Vec2::from_raw(x, y), tilesat::Vec2::from_raw(right, bottom)) {\n        \
+    const fn area(x: i32, y: i32, right: i32, bottom: i32) -> ::tilesat::Aabb {\n    \
+        match ::tilesat::Aabb::new(::tilesat::Vec2::from_raw(x, y), ::tilesat::Vec2::from_raw(right, bottom)) {\n        \
             Ok(area) => area,\n        \
             Err(_) => panic!(\"an object is outside of the domain\"),\n    \
         }\n\
@@ -85,7 +85,7 @@ pub(crate) fn list(objects: &[LeftOut]) -> String {
     let named: Vec<&LeftOut> = listed.filter(|object| !object.title.name.trim().is_empty()).collect();
     for (constant, object) in names::objects(named.iter().map(|object| object.title.name.trim())).iter().zip(&named) {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "pub const {constant}: tilesat::Aabb = {};", area(object));
+        let _ = writeln!(text, "pub const {constant}: ::tilesat::Aabb = {};", area(object));
     }
     text
 }
@@ -95,7 +95,7 @@ pub(crate) fn entries(objects: &[LeftOut]) -> String {
     let mut text = String::new();
     for object in objects.iter().filter(|object| object.is_listed()) {
         let (id, class, name) = (object.title.id, &object.class, &object.title.name);
-        let spot = |(x, y): &(i64, i64)| format!("tilesat::Vec2::from_raw({x}, {y})");
+        let spot = |(x, y): &(i64, i64)| format!("::tilesat::Vec2::from_raw({x}, {y})");
         let points = object.points.iter().map(spot);
         let values =
             object.properties.0.iter().filter_map(|(name, value)| Some(format!("({name:?}, {})", spelt(value)?)));
@@ -128,7 +128,7 @@ fn spelt(value: &Value) -> Option<String> {
     Some(match value {
         Value::Bool(is) => format!("Value::Bool({is})"),
         Value::Number(digits) => match number(digits) {
-            Some(number) => format!("Value::Number(tilesat::Fx::lit(\"{number}\"))"),
+            Some(number) => format!("Value::Number(::tilesat::Fx::lit(\"{number}\"))"),
             None => format!("Value::Text({digits:?})"),
         },
         Value::Text(text) => format!("Value::Text({text:?})"),

@@ -57,5 +57,7 @@ pub struct Object {
     pub size: Spot,
     /// Degrees, clockwise if y grows downward.
     pub rotation: Decimal,
+    /// Whether the editor does not show it.
+    pub hidden: bool,
     pub form: Form,
 }

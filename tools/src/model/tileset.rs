@@ -39,8 +39,15 @@ pub struct Tile {
     pub properties: Properties,
     /// Shapes from the collision editor.
     pub shapes: Vec<Object>,
-    /// Its own picture, and the picture's size.
-    pub image: Option<(PathBuf, (u32, u32))>,
+    /// Its own picture, and the part of it that is the tile.
+    pub image: Option<(PathBuf, Part)>,
+}
+
+/// A rectangle of a picture, in pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Part {
+    pub at: (u32, u32),
+    pub size: (u32, u32),
 }
 
 impl Tileset {
@@ -52,6 +59,6 @@ impl Tileset {
     /// The size of a tile in pixels.
     pub fn size_of(&self, id: u32) -> (u32, u32) {
         let own = self.tiles.get(&id).and_then(|tile| tile.image.as_ref());
-        own.map_or(self.size, |(_, size)| *size)
+        own.map_or(self.size, |(_, part)| part.size)
     }
 }

@@ -76,8 +76,11 @@ impl Sources {
             self.images.insert(path.clone(), read(path));
         }
         let image = self.images.get(path)?.as_ref()?;
-        if own.is_some() {
-            return Some((image, (0, 0), (image.width as u32, image.height as u32)));
+        if let Some((_, part)) = own {
+            // Files of other programs may not give the size of the image.
+            let all = (image.width as u32, image.height as u32);
+            let size = if part.size.0 == 0 || part.size.1 == 0 { all } else { part.size };
+            return Some((image, part.at, size));
         }
         let along =
             |index: u32, size: u32| set.margin.saturating_add(index.saturating_mul(size.saturating_add(set.spacing)));

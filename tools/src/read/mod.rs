@@ -60,14 +60,14 @@ fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Res
         _ => {}
     }
     if json::is_json(&bytes) && end != "tmj" {
-        match ldtk::is_project(&bytes) {
-            true if end == "ldtk" || ldtk::has_definitions(&bytes) => return ldtk::read(&bytes, level, path, files),
-            true => {
+        match ldtk::looks(&bytes) {
+            ldtk::Looks::Map => {}
+            looks if end == "ldtk" || looks == ldtk::Looks::Project => return ldtk::read(&bytes, level, path, files),
+            _ => {
                 return Err(
                     "neither a map of Tiled (it has no orientation) nor a project of LDtk (it has no defs)".to_owned()
                 );
             }
-            false => {}
         }
     }
     let map = tiled::read(bytes, path, files)?;

@@ -112,11 +112,8 @@ impl<'a> Xml<'a> {
                 self.at += "<![CDATA[]]>".len() + end;
                 return Ok(Event::Text(Cow::Borrowed(&inner[..end])));
             }
-            let passed = [("<!--", "-->"), ("<?", "?>")].iter().find(|(begin, _)| rest.starts_with(begin));
-            if let Some((begin, end)) = passed {
-                let length =
-                    rest[begin.len()..].find(end).ok_or_else(|| self.here("the file ends within a comment"))?;
-                self.at += begin.len() + length + end.len();
+            if let Some(length) = self.passed(rest)? {
+                self.at += length;
             } else if rest.starts_with("<!") {
                 self.at += self.declaration(rest)?;
             } else if let Some(inner) = rest.strip_prefix("</") {
@@ -131,14 +128,29 @@ impl<'a> Xml<'a> {
         }
     }
 
+    /// The length of a comment or an instruction, if the text begins with one.
+    fn passed(&self, rest: &str) -> Result<Option<usize>> {
+        let both = [("<!--", "-->"), ("<?", "?>")];
+        let Some((begin, end)) = both.iter().find(|(begin, _)| rest.starts_with(begin)) else { return Ok(None) };
+        let length = rest[begin.len()..].find(end).ok_or_else(|| self.here("the file ends within a comment"))?;
+        Ok(Some(begin.len() + length + end.len()))
+    }
+
     /// The length of a document type, whose own declarations are in brackets.
     fn declaration(&self, rest: &str) -> Result<usize> {
-        let (mut depth, mut quote) = (0usize, None);
+        let (mut depth, mut quote, mut after) = (0usize, None, 0);
         for (i, b) in rest.bytes().enumerate() {
+            if i < after {
+                continue;
+            }
             match (quote, b) {
                 (Some(q), _) if q == b => quote = None,
                 (None, b'"' | b'\'') => quote = Some(b),
-                (None, b'<') => depth += 1,
+                // An apostrophe in a comment is no quote.
+                (None, b'<') => match self.passed(&rest[i..])? {
+                    Some(length) => after = i + length,
+                    None => depth += 1,
+                },
                 (None, b'>') => depth -= 1,
                 _ => {}
             }

@@ -2,7 +2,7 @@
 
 use super::{Baked, Whole};
 use crate::bake::level::{Ids, Level};
-use crate::bake::segments::refuse_crossed;
+use crate::bake::segments;
 use crate::fail::{Fail, Result};
 use crate::model::map::{Map, Place};
 use crate::rules::flags::Flags;
@@ -43,7 +43,9 @@ pub(super) struct Part {
 impl Part {
     pub(super) fn of(map: &Map, options: &Options, flags: &mut Flags, ids: &mut Ids) -> Result<Self> {
         let mut ground = Ground::of(map, options, flags)?;
-        refuse_crossed(&ground.outlines)?;
+        let repeated = segments::once(&mut ground.outlines);
+        ground.notes.extend(repeated);
+        segments::refuse_crossed(&ground.outlines)?;
         let level = Level::with(&ground, &flags.names, ids)?;
         // In a linear world, LDtk puts all levels at (-1, -1).
         let place = map.place.filter(|place| !map.values || (place.x, place.y) != (-1, -1));

@@ -87,9 +87,62 @@ fn every_fault_has_its_line() {
     let failed = of_folder(&levels);
     let lines = failed.to_string();
     assert_eq!(failed.0.len(), 2, "{lines}");
-    assert_eq!(format!("{failed:?}"), format!("no levels\n{lines}"));
+    assert_eq!(format!("{failed:?}"), format!("{lines}\nno level is written"));
     for (line, file) in lines.lines().zip(["empty.tmx: ", "torn.ldtk: "]) {
         assert!(line.contains(file), "{line}");
     }
+    assert!(!out.exists());
+}
+
+/// A module hides no crate, and a name ends no line.
+#[test]
+fn names_that_are_in_the_way() {
+    let (levels, out) = places();
+    fs::write(levels.join("tilesat.tmx"), objects(r#"<object id="1" x="1" y="1" width="5" height="5"/>"#)).unwrap();
+    let project = ldtk(&["Full"], 2, 1, "1,0").replace("One", "a\u{202e}b\\nc");
+    fs::write(levels.join("names.ldtk"), project).unwrap();
+    build::folder(&levels, &out).unwrap();
+    let source = fs::read_to_string(&out).unwrap();
+    assert!(source.contains("pub mod tilesat {") && source.contains("/// a?b?c\n"), "{source}");
+    let bare = source.match_indices("tilesat::").filter(|(at, _)| !source[..*at].ends_with("::"));
+    assert_eq!(bare.count(), 0, "{source}");
+}
+
+/// A build script has no command line: its messages name lines of `tilesat.toml`.
+#[test]
+fn options_are_lines_of_the_project_file() {
+    let (levels, out) = places();
+    let slip = map(2, 1, "1,2", "").replace("OneWay", "Sollid");
+    fs::write(levels.join("slip.tmx"), slip).unwrap();
+    let lines = build::folder(&levels, &out).unwrap().warnings;
+    assert!(lines.len() == 1 && lines[0].ends_with(r#"write flag = ["Sollid"] in tilesat.toml"#), "{lines:?}");
+    fs::write(levels.join("guess.tmx"), rows(&["##"]).replace("Solid\"/>", "\"/>").replace("World", "My Ground"))
+        .unwrap();
+    let lines = build::folder(&levels, &out).unwrap().warnings;
+    let both = [r#"; solid-layer = ["My Ground"] in tilesat.toml confirms it"#, r#"ignore-layer = ["My Ground"] in"#];
+    assert!(both.iter().all(|part| lines[0].contains(part)) && !lines[0].contains("--"), "{lines:?}");
+}
+
+/// A level whose file has no Rust name gets another one, and two of one name are refused.
+#[test]
+fn names_of_modules() {
+    let (levels, out) = places();
+    fs::write(levels.join("1-1.tmx"), rows(&["##"])).unwrap();
+    fs::write(levels.join("Cave 2.tmx"), rows(&["##"])).unwrap();
+    fs::write(levels.join("type.tmx"), rows(&["##"])).unwrap();
+    let lines = build::folder(&levels, &out).unwrap().warnings;
+    let renamed = |file: &str, module: &str| {
+        let file = levels.join(file);
+        format!("{}: its module is levels::{module}, because", file.display())
+    };
+    assert!(lines.len() == 2 && lines[0].starts_with(&renamed("1-1.tmx", "level_1_1")), "{lines:?}");
+    assert!(lines[1].starts_with(&renamed("type.tmx", "level_type")), "{lines:?}");
+
+    fs::write(levels.join("1 1.tmx"), rows(&["##"])).unwrap();
+    fs::remove_file(&out).unwrap();
+    let failed = build::folder(&levels, &out).unwrap_err().to_string();
+    let (new, old) = (levels.join("1 1.tmx"), levels.join("1-1.tmx"));
+    let wanted = format!("{} and {}: both would be the module level_1_1", new.display(), old.display());
+    assert!(failed.starts_with(&wanted) && failed.ends_with("rename one of them"), "{failed}");
     assert!(!out.exists());
 }

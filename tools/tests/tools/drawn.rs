@@ -101,9 +101,9 @@ fn objects_take_over_from_their_tile() {
         "PathKind::Solid, &POINTS_0",
         "PathKind::OneWay, &POINTS_1",
         r#"class: "Kill", name: "", "#,
-        r#"("hp", Value::Number(tilesat::Fx::lit("5"))), ("hot", Value::Bool(true))"#,
+        r#"("hp", Value::Number(::tilesat::Fx::lit("5"))), ("hot", Value::Bool(true))"#,
         r#"class: "Lamp", name: "", "#,
-        r#"("hp", Value::Number(tilesat::Fx::lit("9"))), ("hot", Value::Bool(true))"#,
+        r#"("hp", Value::Number(::tilesat::Fx::lit("9"))), ("hot", Value::Bool(true))"#,
         // Without a size, it is as large as its tile.
         "area(0, -1048576, 1048576, 0)",
     ] {
@@ -178,7 +178,7 @@ fn a_missing_template_is_refused() {
 fn a_click_is_a_point() {
     let (source, report) = baked(scratch("drawn", "click.tmx", plain(r#"<object id="1" name="spawn" x="8" y="40"/>"#)));
     assert!(
-        source.contains("pub const OBJECT_SPAWN: tilesat::Aabb = area(524288, 2621440, 524288, 2621440);"),
+        source.contains("pub const OBJECT_SPAWN: ::tilesat::Aabb = area(524288, 2621440, 524288, 2621440);"),
         "{source}"
     );
     assert!(report.contains("object  object 1 'spawn' of layer 'L': it has no size: a point"), "{report}");
@@ -246,7 +246,7 @@ fn references_of_ldtk() {
     };
     let (a, b) = (id("a"), id("b"));
     assert_ne!(a, b);
-    let point = |x: i32, y: i32| format!("tilesat::Vec2::from_raw({}, {})", x << 16, y << 16);
+    let point = |x: i32, y: i32| format!("::tilesat::Vec2::from_raw({}, {})", x << 16, y << 16);
     let (way, home) = ([point(24, 8), point(8, 40)], point(8, 8));
     for part in [
         format!(r#"("target", Value::Object({b}))"#),

@@ -110,3 +110,18 @@ fn many_rectangles() {
     assert!(ran.status == 0 && ran.out.contains("\"segments\":8000"), "{ran:?}");
     println!("2000 rectangles in {:?}", start.elapsed());
 }
+
+/// Many objects of one name get different constants.
+#[test]
+fn one_name_for_all() {
+    let object = |i: u32| format!(r#"<object id="{i}" name="coin" x="{i}" y="0"><point/></object>"#);
+    let list: String = (0..3000).map(object).collect();
+    let (start, out) = (Instant::now(), scratch("limits", "coins.rs", ""));
+    let level = rows(&["##"]).replace("</objectgroup>", &(list + "</objectgroup>"));
+    let ran = support::run("bake", scratch("limits", "coins.tmx", level), &format!("-o {}", out.display()));
+    assert!(ran.status == 0 && start.elapsed() < SOON, "{:?} {ran:?}", start.elapsed());
+    let source = fs::read_to_string(out).unwrap();
+    for name in ["OBJECT_COIN", "OBJECT_COIN_2", "OBJECT_COIN_3000"] {
+        assert!(source.contains(&format!("pub const {name}: ")), "{name}");
+    }
+}

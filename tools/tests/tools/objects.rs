@@ -145,8 +145,8 @@ fn objects_for_the_game() {
             "    Object {{ id: 3, class: \"Enemy\", name: \"\", area: {}, points: &[], properties: &[] }},",
             area(2 * unit, 60 * unit, 10 * unit, 64 * unit)
         ),
-        format!("pub const OBJECT_SPAWN: tilesat::Aabb = {spawn};"),
-        format!("pub const OBJECT_FIRST_LIFT: tilesat::Aabb = {lift};"),
+        format!("pub const OBJECT_SPAWN: ::tilesat::Aabb = {spawn};"),
+        format!("pub const OBJECT_FIRST_LIFT: ::tilesat::Aabb = {lift};"),
     ] {
         assert!(source.lines().any(|known| known == line), "{line}\n{source}");
     }
@@ -166,11 +166,11 @@ fn properties_and_points() {
     let levels = load(&scratch("objects", "values.tmx", text), None).unwrap();
     let bundle = bake(&levels.maps, &Settings::default()).unwrap();
     let source = bundle.source();
-    let point = |x: i32, y: i32| format!("tilesat::Vec2::from_raw({}, {})", x << 15, y << 15);
+    let point = |x: i32, y: i32| format!("::tilesat::Vec2::from_raw({}, {})", x << 15, y << 15);
     let way = format!("points: &[{}, {}, {}], properties: &[]", point(16, 12), point(16, 3), point(22, 3));
     // The nearest number of 16.16 is 6554 / 65536. 40000 is beyond them.
     // What it refers to is in the output.
-    let values = r#"points: &[], properties: &[("speed", Value::Number(tilesat::Fx::lit("0.1"))), ("far", Value::Text("40000")), ("loops", Value::Bool(false)), ("say \"", Value::Text("a\\b")), ("next", Value::Object(1))]"#;
+    let values = r#"points: &[], properties: &[("speed", Value::Number(::tilesat::Fx::lit("0.1"))), ("far", Value::Text("40000")), ("loops", Value::Bool(false)), ("say \"", Value::Text("a\\b")), ("next", Value::Object(1))]"#;
     for part in [&way, values] {
         assert!(source.contains(part), "{part}\n{source}");
     }
@@ -196,9 +196,9 @@ fn fields_of_entities() {
     let levels = load(&scratch("objects", "fields.ldtk", text), None).unwrap();
     let bundle = bake(&levels.maps, &Settings::default()).unwrap();
     let source = bundle.source();
-    let point = |x: i32, y: i32| format!("tilesat::Vec2::from_raw({}, {})", x << 16, y << 16);
+    let point = |x: i32, y: i32| format!("::tilesat::Vec2::from_raw({}, {})", x << 16, y << 16);
     let line = format!(
-        r#"points: &[{}, {}], properties: &[("Angry", Value::Bool(true)), ("Solid", Value::Bool(true)), ("kind", Value::Text("slow")), ("loot", Value::Number(tilesat::Fx::lit("3"))), ("loot", Value::Number(tilesat::Fx::lit("-4"))), ("way", Value::Point({})), ("way", Value::Point({})), ("home", Value::Point({}))]"#,
+        r#"points: &[{}, {}], properties: &[("Angry", Value::Bool(true)), ("Solid", Value::Bool(true)), ("kind", Value::Text("slow")), ("loot", Value::Number(::tilesat::Fx::lit("3"))), ("loot", Value::Number(::tilesat::Fx::lit("-4"))), ("way", Value::Point({})), ("way", Value::Point({})), ("home", Value::Point({}))]"#,
         point(24, 8),
         point(-8, 40),
         point(24, 8),
@@ -224,4 +224,23 @@ fn names_that_are_nearly_a_rule() {
     };
     assert!(doubts("Sollid", &[]).iter().any(|doubt| doubt.who.contains("Sollid") && doubt.what.contains("'solid'")));
     assert!(doubts("Enemy", &[]).is_empty() && doubts("Solid", &[]).is_empty());
+}
+
+/// A hidden object is solid, as a hidden layer is, and the report says so.
+#[test]
+fn hidden_objects() {
+    let list = r#"<object id="1" x="1" y="1" width="5" height="5" visible="0"/>
+        <object id="2" name="hut" x="9" y="1" width="5" height="5" visible="0"/>
+        <object id="3" x="20" y="1" width="5" height="5"/>"#;
+    let note = "2 objects of layer 'L' are hidden, and solid all the same: object 1, object 2 'hut'";
+    let notes = |name: &str, text: &str| load(&scratch("objects", name, text), None).unwrap();
+    for text in [objects(list), objects(list).replace(" class=\"Solid\">", " class=\"Solid\" visible=\"1\">")] {
+        let levels = notes("hidden.tmx", &text);
+        let bundle = bake(&levels.maps, &Settings::default()).unwrap();
+        let notes = &bundle.levels[0].ground.notes;
+        assert!(notes.iter().any(|line| line.starts_with(note)), "{notes:?}");
+    }
+    let open = objects(&list.replace(" visible=\"0\"", ""));
+    let levels = notes("shown.tmx", &open);
+    assert_eq!(bake(&levels.maps, &Settings::default()).unwrap().levels[0].ground.notes, [""; 0]);
 }

@@ -183,3 +183,23 @@ fn picture_of_what_was_drawn() {
     assert!(at(20, 27)[1] > 180 && at(20, 27)[0] < 40, "{:?}", at(20, 27));
     assert!(at(37, 5)[1] < 90, "{:?}", at(37, 5));
 }
+
+#[cfg(unix)]
+#[test]
+fn links_and_modes_stay() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let home = clean("links");
+    let level = scratch("links", "a.tmx", rows(&["##"]));
+    let (link, out) = (home.join("link.rs"), home.join("out.rs"));
+    symlink("out.rs", &link).unwrap();
+    let ran = bake(&[&level, Path::new("-o"), &link]);
+    assert!(ran.status == 0 && fs::symlink_metadata(&link).unwrap().is_symlink() && out.is_file(), "{ran:?}");
+    fs::set_permissions(&out, fs::Permissions::from_mode(0o600)).unwrap();
+    let ran = bake(&[&level, Path::new("-o"), &link]);
+    assert!(ran.status == 0 && fs::symlink_metadata(&link).unwrap().is_symlink(), "{ran:?}");
+    assert_eq!(fs::metadata(&out).unwrap().permissions().mode() & 0o777, 0o600);
+    assert_eq!(files(&home), ["a.tmx", "link.rs", "out.rs"]);
+    // A link to itself leads nowhere.
+    symlink("self.rs", home.join("self.rs")).unwrap();
+    assert_eq!(bake(&[&level, Path::new("-o"), &home.join("self.rs")]).status, 2);
+}

@@ -22,16 +22,26 @@ const MAX_CELLS: u64 = 1 << 24;
 /// The limit for all levels of a project together.
 const MAX_PROJECT: u64 = 1 << 25;
 
-/// Whether the JSON is not a map of Tiled, which has a direction of its cells.
-pub(super) fn is_project(bytes: &[u8]) -> bool {
-    let text = std::str::from_utf8(bytes).unwrap_or_default();
-    has_definitions(bytes) || !text.contains("\"orientation\"") && !text.contains("\"tilewidth\"")
+/// What a file in JSON looks like, whatever its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Looks {
+    Project,
+    /// A map of Tiled has a direction of its cells.
+    Map,
+    Neither,
 }
 
-/// Whether it looks like a project, whatever its name.
-pub(super) fn has_definitions(bytes: &[u8]) -> bool {
-    let text = std::str::from_utf8(bytes).unwrap_or_default();
-    text.contains("\"defs\"") || text.contains("\"levels\"")
+/// Judges by the names of its members: a map can have a property of any name.
+pub(super) fn looks(bytes: &[u8]) -> Looks {
+    let keys = json::keys(bytes);
+    let has = |names: &[&str]| keys.iter().any(|key| names.iter().any(|name| name.as_bytes() == *key));
+    if has(&["orientation", "tilewidth"]) {
+        Looks::Map
+    } else if has(&["defs", "levels", "worlds"]) {
+        Looks::Project
+    } else {
+        Looks::Neither
+    }
 }
 
 /// All levels of a project, or the one of this name.
@@ -40,7 +50,8 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
     let folder = path.parent().unwrap_or(Path::new(""));
     let tilesets: Vec<Rc<Tileset>> = project.defs.tilesets.iter().map(|set| Rc::new(tileset(set, folder))).collect();
     let definitions = &project.defs;
-    let mut reader = Reader { definitions, tilesets, folder, files, cells: 0, ids: Ids::default() };
+    let version = project.version.as_deref();
+    let mut reader = Reader { definitions, version, tilesets, folder, files, cells: 0, ids: Ids::default() };
     let alone =
         raw::World { identifier: String::new(), layout: project.layout, levels: project.levels.unwrap_or_default() };
     let worlds: Vec<raw::World> = std::iter::once(alone).chain(project.worlds).collect();
@@ -139,6 +150,8 @@ fn tileset(set: &raw::Tileset, folder: &Path) -> Tileset {
 
 struct Reader<'a> {
     definitions: &'a raw::Definitions,
+    /// Of the program that saved the project.
+    version: Option<&'a str>,
     tilesets: Vec<Rc<Tileset>>,
     folder: &'a Path,
     files: &'a mut Files,
@@ -219,6 +232,11 @@ impl Reader<'_> {
     fn values(&self, layer: &raw::Layer, tile: u16, palette: &mut Palette) -> Result<Layer> {
         let (width, height) = (layer.width.0 as u32, layer.height.0 as u32);
         if layer.values.len() as u64 != u64::from(width) * u64::from(height) {
+            // Before intGridCsv, LDtk listed only the cells with a value.
+            if layer.values.is_empty() {
+                let by = self.version.map_or_else(|| "an old LDtk".to_owned(), |version| format!("LDtk {version}"));
+                return Err(format!("it has no intGridCsv: saved by {by}: open it in a newer one, and save it"));
+            }
             return Err(format!("{} values for {width}x{height} cells", layer.values.len()));
         }
         let mut cells = Vec::with_capacity(layer.values.len());
@@ -324,6 +342,7 @@ fn object(entity: &raw::Entity, id: u32, side: u16, ids: &mut Ids) -> Object {
         at: (corner(entity.px.0, entity.width, entity.pivot.0), corner(entity.px.1, entity.height, entity.pivot.1)),
         size: (pixels(entity.width), pixels(entity.height)),
         rotation: Decimal::ZERO,
+        hidden: false,
         form: Form::Rectangle,
     }
 }

@@ -5,6 +5,8 @@ use serde::{Deserialize, Deserializer};
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Project {
+    #[serde(rename = "jsonVersion")]
+    pub(super) version: Option<String>,
     pub(super) defs: Definitions,
     #[serde(rename = "worldLayout")]
     pub(super) layout: Option<String>,

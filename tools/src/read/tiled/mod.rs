@@ -2,6 +2,7 @@
 //! [`raw`] form, from which this makes a level.
 
 mod data;
+mod lax;
 mod objects;
 mod raw;
 mod sets;
@@ -208,9 +209,11 @@ impl Reader<'_> {
     fn places(&mut self, data: raw::Data, form: &Form<'_>) -> Result<Vec<u32>> {
         let mut cells = data::gids(data, form)?;
         let mut last = (0, 0);
-        for cell in &mut cells {
+        for (i, cell) in cells.iter_mut().enumerate() {
             if *cell != last.0 {
-                last = (*cell, self.sets.place(*cell)?);
+                let (column, row) = (i as u32 % form.width.max(1), i as u32 / form.width.max(1));
+                let of_cell = |why: String| format!("column {column}, row {row}: {why}");
+                last = (*cell, self.sets.place(*cell).map_err(of_cell)?);
             }
             *cell = last.1;
         }

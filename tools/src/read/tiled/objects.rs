@@ -33,6 +33,7 @@ impl Templates {
     ///
     /// If the template is missing: as with a tileset, nobody knows what it would have been.
     pub(super) fn filled(&mut self, object: raw::Object, folder: &Path, files: &mut Files) -> Result<raw::Object> {
+        let object = object.settled();
         let Some(name) = &object.template else { return Ok(object) };
         let path = folder.join(name);
         if !self.objects.contains_key(&path) {
@@ -41,7 +42,7 @@ impl Templates {
             let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::template(&bytes) };
             let template: raw::Template = read.map_err(|why| of_file(format!("not a template of Tiled: {why}")))?;
             let inner = template.object.ok_or_else(|| of_file("it has no object".to_owned()))?;
-            self.objects.insert(path.clone(), inner);
+            self.objects.insert(path.clone(), inner.settled());
             self.sets.extend(template.tileset.map(|set| (path.clone(), set)));
         }
         Ok(filled(object, &self.objects[&path]))
@@ -70,6 +71,7 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
         height: own.height.or(template.height),
         rotation: own.rotation.or(template.rotation),
         gid: own.gid.or(template.gid),
+        visible: own.visible.or(template.visible),
         properties: raw::Listed(properties),
         ..form
     }
@@ -162,6 +164,7 @@ pub(super) fn shape(object: raw::Object) -> Result<Object> {
         at: (object.x.0, object.y.0),
         size,
         rotation: number(object.rotation),
+        hidden: object.visible == Some(false),
         form,
     })
 }

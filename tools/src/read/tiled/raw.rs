@@ -7,42 +7,66 @@ use std::fmt;
 use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
+use super::lax;
 use crate::model::decimal::Decimal;
 use crate::model::object::Spot;
 use crate::model::property::{CLASS, LIST, Properties, Value};
+use crate::model::tileset::Part;
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Map {
+    #[serde(deserialize_with = "lax::given")]
     pub(super) orientation: String,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) width: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) height: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) tilewidth: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) tileheight: u32,
     pub(super) infinite: bool,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) tilesets: Vec<Tileset>,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) layers: Vec<Layer>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Tileset {
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) firstgid: u32,
     pub(super) source: Option<String>,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) name: String,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) tilewidth: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) tileheight: u32,
+    #[serde(deserialize_with = "lax::count")]
     pub(super) tilecount: Option<u32>,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) columns: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) margin: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) spacing: u32,
     pub(super) image: Option<String>,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) imagewidth: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) imageheight: u32,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) tileoffset: Offset,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) tilerendersize: String,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) fillmode: String,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) objectalignment: String,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) tiles: Tiles,
     /// Before Tiled 1.2, properties and classes were separate from the tiles.
     pub(super) tileproperties: BTreeMap<u32, Listed>,
@@ -51,45 +75,77 @@ pub(super) struct Tileset {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Offset {
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) x: i32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) y: i32,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Tile {
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) id: u32,
-    #[serde(alias = "type")]
+    #[serde(deserialize_with = "lax::given")]
     pub(super) class: String,
+    /// Its class in the other versions of Tiled. Some programs write both.
+    #[serde(rename = "type", deserialize_with = "lax::given")]
+    pub(super) kind: String,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) properties: Listed,
     pub(super) objectgroup: Option<Box<Layer>>,
     pub(super) image: Option<String>,
-    #[serde(alias = "width")]
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) imagewidth: u32,
-    #[serde(alias = "height")]
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) imageheight: u32,
+    /// Since Tiled 1.9 a tile can be a part of its image, at this place and of this size.
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) x: u32,
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) y: u32,
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) width: u32,
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) height: u32,
+}
+
+impl Tile {
+    /// The part of the image: its corner and its size. All of it, if the file does not say.
+    pub(super) fn part(&self) -> Part {
+        let along = |own: u32, image: u32| if own > 0 { own } else { image };
+        Part { at: (self.x, self.y), size: (along(self.width, self.imagewidth), along(self.height, self.imageheight)) }
+    }
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(default)]
 pub(super) struct Layer {
-    #[serde(rename = "type")]
+    #[serde(rename = "type", deserialize_with = "lax::given")]
     pub(super) form: String,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) name: String,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) class: String,
     pub(super) visible: bool,
     pub(super) offsetx: Number,
     pub(super) offsety: Number,
     pub(super) parallaxx: Number,
     pub(super) parallaxy: Number,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) width: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) height: u32,
     pub(super) encoding: Option<String>,
     pub(super) compression: Option<String>,
     pub(super) data: Option<Data>,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) chunks: Vec<Chunk>,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) objects: Vec<Object>,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) layers: Vec<Layer>,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) properties: Listed,
 }
 
@@ -121,9 +177,13 @@ impl Default for Layer {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Chunk {
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) x: i32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) y: i32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) width: u32,
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) height: u32,
     pub(super) data: Option<Data>,
 }
@@ -133,16 +193,21 @@ pub(super) struct Chunk {
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Object {
+    #[serde(deserialize_with = "lax::whole")]
     pub(super) id: u32,
     pub(super) name: Option<String>,
-    #[serde(alias = "type")]
     pub(super) class: Option<String>,
+    /// Its class in the other versions of Tiled. Some programs write both.
+    #[serde(rename = "type")]
+    pub(super) kind: Option<String>,
     pub(super) x: Number,
     pub(super) y: Number,
     pub(super) width: Option<Number>,
     pub(super) height: Option<Number>,
     pub(super) rotation: Option<Number>,
+    #[serde(deserialize_with = "lax::count")]
     pub(super) gid: Option<u32>,
+    pub(super) visible: Option<bool>,
     pub(super) point: bool,
     pub(super) ellipse: bool,
     pub(super) capsule: bool,
@@ -151,7 +216,20 @@ pub(super) struct Object {
     #[serde(deserialize_with = "whether")]
     pub(super) text: bool,
     pub(super) template: Option<String>,
+    #[serde(deserialize_with = "lax::given")]
     pub(super) properties: Listed,
+}
+
+impl Object {
+    /// The object with one class: as in XML, the type counts.
+    pub(super) fn settled(mut self) -> Self {
+        let kind = self.kind.take();
+        self.class = match kind {
+            Some(kind) if !kind.is_empty() => Some(kind),
+            kind => self.class.or(kind),
+        };
+        self
+    }
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -212,8 +290,8 @@ impl<'de> Deserialize<'de> for Data {
             }
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Data, A::Error> {
                 let mut gids = Vec::new();
-                while let Some(gid) = list.next_element()? {
-                    gids.push(gid);
+                while let Some(gid) = list.next_element::<lax::Whole<u32>>()? {
+                    gids.push(gid.0);
                 }
                 Ok(Data::List(gids))
             }

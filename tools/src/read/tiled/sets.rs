@@ -162,7 +162,8 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));
     let along = |length: u32, tile: u32| {
         let step = u64::from(tile) + u64::from(set.spacing);
-        let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(2 * u64::from(set.margin));
+        // As Tiled counts: the margin is only before the first tile.
+        let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(u64::from(set.margin));
         room.checked_div(step).unwrap_or(0) as u32
     };
     let columns = if set.columns > 0 { set.columns } else { along(set.imagewidth, set.tilewidth) };
@@ -171,13 +172,15 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     let count = set.tilecount.or(u32::try_from(counted).ok().filter(|&count| count > 0));
     let mut tiles = HashMap::new();
     for tile in set.tiles.0 {
+        let part = tile.part();
         let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
         let shapes = shapes
             .into_iter()
             .map(|drawn| templates.filled(drawn, folder, files).and_then(shape).map_err(&of_set))
             .collect::<Result<_>>()?;
-        let image = path(tile.image).map(|image| (image, (tile.imagewidth, tile.imageheight)));
-        tiles.insert(tile.id, Tile { class: tile.class, properties: tile.properties.0, shapes, image });
+        let image = path(tile.image).map(|image| (image, part));
+        let class = if tile.kind.is_empty() { tile.class } else { tile.kind };
+        tiles.insert(tile.id, Tile { class, properties: tile.properties.0, shapes, image });
     }
     for (id, properties) in set.tileproperties {
         tiles.entry(id).or_default().properties.0.extend(properties.0.0);

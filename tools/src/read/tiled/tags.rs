@@ -132,7 +132,15 @@ fn image(xml: &Xml<'_>, tag: &Tag<'_>) -> Result<(Option<String>, u32, u32)> {
 
 fn tile(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Tile> {
     let class = tag.get("type").or(tag.get("class")).unwrap_or_default().to_owned();
-    let mut tile = Tile { id: number(xml, tag, "id")?, class, ..Tile::default() };
+    let mut tile = Tile {
+        id: number(xml, tag, "id")?,
+        class,
+        x: number(xml, tag, "x")?,
+        y: number(xml, tag, "y")?,
+        width: number(xml, tag, "width")?,
+        height: number(xml, tag, "height")?,
+        ..Tile::default()
+    };
     while let Some(tag) = xml.child()? {
         match tag.name {
             "properties" => tile.properties = properties(xml)?,
@@ -258,6 +266,7 @@ fn object(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Object> {
         height: decimal(xml, tag, "height")?,
         rotation: decimal(xml, tag, "rotation")?,
         gid: count(xml, tag, "gid")?,
+        visible: tag.get("visible").map(|value| value != "0"),
         template: tag.get("template").map(str::to_owned),
         ..Object::default()
     };

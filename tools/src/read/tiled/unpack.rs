@@ -20,7 +20,9 @@ const ZSTD_WINDOW: u64 = 1 << 26;
 
 /// The bytes in base64. `None` if there are more than `most`.
 pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<Vec<u8>>> {
-    let packed = STANDARD.decode(text.trim_ascii()).map_err(invalid)?;
+    // Some programs wrap the text.
+    let text: Vec<u8> = text.iter().copied().filter(|byte| !byte.is_ascii_whitespace()).collect();
+    let packed = STANDARD.decode(text).map_err(invalid)?;
     let limit = most.saturating_add(1);
     let mut bytes = Vec::new();
     match packing {

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
-use tilesat::{TileKind, TileKinds};
+use ::tilesat::{TileKind, TileKinds};
 
 pub const WIDTH: u16 = 30;
 pub const HEIGHT: u16 = 17;
@@ -40,12 +40,12 @@ pub static KINDS: TileKinds = TileKinds::EMPTY
     .with(3, TileKind::ONE_WAY_UP);
 /// Where the cells are: the first corner is at the origin.
 #[rustfmt::skip]
-pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+pub const GRID: ::tilesat::Grid = match ::tilesat::Grid::new(WIDTH, HEIGHT, ::tilesat::Fx::lit("16"), ::tilesat::Vec2::ZERO) {
     Ok(grid) => grid,
     Err(_) => panic!("the cells do not fit"),
 };
 /// The level as it was drawn, with nothing outside.
-pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+pub static MAP: ::tilesat::TileMap<::tilesat::Blocks> = match map(TILES) {
     Ok(map) => map,
     Err(_) => panic!("the tiles do not fit"),
 };
@@ -54,8 +54,8 @@ pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
 /// # Errors
 /// None: the array has the size of the level, and the set has all kinds.
 #[rustfmt::skip]
-pub const fn map(tiles: &[u8; 510]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
-    tilesat::TileMap::of(tiles, GRID, &KINDS)
+pub const fn map(tiles: &[u8; 510]) -> Result<::tilesat::TileMap<'_, ::tilesat::Blocks>, ::tilesat::TileMapError> {
+    ::tilesat::TileMap::of(tiles, GRID, &KINDS)
 }
 /// An object of the level that is not solid. A point has an area without size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,9 +64,9 @@ pub struct Object {
     pub id: u32,
     pub class: &'static str,
     pub name: &'static str,
-    pub area: tilesat::Aabb,
+    pub area: ::tilesat::Aabb,
     /// Those of a polygon or a polyline, such as the way of a lift.
-    pub points: &'static [tilesat::Vec2],
+    pub points: &'static [::tilesat::Vec2],
     /// As drawn. A list is several entries with one name.
     pub properties: &'static [(&'static str, Value)],
 }
@@ -75,11 +75,11 @@ pub struct Object {
 pub enum Value {
     Bool(bool),
     /// Rounded to nearest. One that 16.16 cannot hold is a text.
-    Number(tilesat::Fx),
+    Number(::tilesat::Fx),
     Text(&'static str),
     /// A reference to the object with this id.
     Object(u32),
-    Point(tilesat::Vec2),
+    Point(::tilesat::Vec2),
 }
 impl Object {
     /// The value of a property.
@@ -87,15 +87,15 @@ impl Object {
         self.properties.iter().find(|property| property.0 == name).map(|property| property.1)
     }
     /// The number of a property.
-    pub fn number(&self, name: &str) -> Option<tilesat::Fx> {
+    pub fn number(&self, name: &str) -> Option<::tilesat::Fx> {
         match self.property(name) {
             Some(Value::Number(number)) => Some(number),
             _ => None,
         }
     }
 }
-const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
-    match tilesat::Aabb::new(tilesat::Vec2::from_raw(x, y), tilesat::Vec2::from_raw(right, bottom)) {
+const fn area(x: i32, y: i32, right: i32, bottom: i32) -> ::tilesat::Aabb {
+    match ::tilesat::Aabb::new(::tilesat::Vec2::from_raw(x, y), ::tilesat::Vec2::from_raw(right, bottom)) {
         Ok(area) => area,
         Err(_) => panic!("an object is outside of the domain"),
     }
@@ -106,10 +106,10 @@ pub static OBJECTS: &[Object] = &[
     Object { id: 8, class: "Places", name: "start", area: area(2621440, 14155776, 2621440, 14155776), points: &[], properties: &[] },
     Object { id: 9, class: "Places", name: "exit", area: area(27262976, 10485760, 28311552, 12582912), points: &[], properties: &[] },
 ];
-pub const OBJECT_START: tilesat::Aabb = area(2621440, 14155776, 2621440, 14155776);
-pub const OBJECT_EXIT: tilesat::Aabb = area(27262976, 10485760, 28311552, 12582912);
+pub const OBJECT_START: ::tilesat::Aabb = area(2621440, 14155776, 2621440, 14155776);
+pub const OBJECT_EXIT: ::tilesat::Aabb = area(27262976, 10485760, 28311552, 12582912);
 
-use tilesat::{Fx, Path, PathKind, Vec2, segment_map};
+use ::tilesat::{Fx, Path, PathKind, Vec2, segment_map};
 
 #[rustfmt::skip]
 const POINTS_0: [Vec2; 11] = [

@@ -150,9 +150,9 @@ pub struct Object {
     pub id: u32,
     pub class: &'static str,
     pub name: &'static str,
-    pub area: tilesat::Aabb,
+    pub area: ::tilesat::Aabb,
     /// Those of a polygon or a polyline, such as the way of a lift.
-    pub points: &'static [tilesat::Vec2],
+    pub points: &'static [::tilesat::Vec2],
     /// As drawn. A list is several entries with one name.
     pub properties: &'static [(&'static str, Value)],
 }
@@ -161,11 +161,11 @@ pub struct Object {
 pub enum Value {
     Bool(bool),
     /// Rounded to nearest. One that 16.16 cannot hold is a text.
-    Number(tilesat::Fx),
+    Number(::tilesat::Fx),
     Text(&'static str),
     /// A reference to the object with this id.
     Object(u32),
-    Point(tilesat::Vec2),
+    Point(::tilesat::Vec2),
 }
 impl Object {
     /// The value of a property.
@@ -173,15 +173,15 @@ impl Object {
         self.properties.iter().find(|property| property.0 == name).map(|property| property.1)
     }
     /// The number of a property.
-    pub fn number(&self, name: &str) -> Option<tilesat::Fx> {
+    pub fn number(&self, name: &str) -> Option<::tilesat::Fx> {
         match self.property(name) {
             Some(Value::Number(number)) => Some(number),
             _ => None,
         }
     }
 }
-const fn area(x: i32, y: i32, right: i32, bottom: i32) -> tilesat::Aabb {
-    match tilesat::Aabb::new(tilesat::Vec2::from_raw(x, y), tilesat::Vec2::from_raw(right, bottom)) {
+const fn area(x: i32, y: i32, right: i32, bottom: i32) -> ::tilesat::Aabb {
+    match ::tilesat::Aabb::new(::tilesat::Vec2::from_raw(x, y), ::tilesat::Vec2::from_raw(right, bottom)) {
         Ok(area) => area,
         Err(_) => panic!("an object is outside of the domain"),
     }

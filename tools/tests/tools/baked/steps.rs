@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
-use tilesat::{TileKind, TileKinds, TileShape};
+use ::tilesat::{TileKind, TileKinds, TileShape};
 
 pub const WIDTH: u16 = 24;
 pub const HEIGHT: u16 = 14;
@@ -52,12 +52,12 @@ pub static KINDS: TileKinds = TileKinds::EMPTY
     .with(16, TileKind::of(TileShape::ConcaveBottomRight));
 /// Where the cells are: the first corner is at the origin.
 #[rustfmt::skip]
-pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+pub const GRID: ::tilesat::Grid = match ::tilesat::Grid::new(WIDTH, HEIGHT, ::tilesat::Fx::lit("16"), ::tilesat::Vec2::ZERO) {
     Ok(grid) => grid,
     Err(_) => panic!("the cells do not fit"),
 };
 /// The level as it was drawn, with nothing outside.
-pub static MAP: tilesat::TileMap<tilesat::AllShapes> = match map(TILES) {
+pub static MAP: ::tilesat::TileMap<::tilesat::AllShapes> = match map(TILES) {
     Ok(map) => map,
     Err(_) => panic!("the tiles do not fit"),
 };
@@ -66,8 +66,8 @@ pub static MAP: tilesat::TileMap<tilesat::AllShapes> = match map(TILES) {
 /// # Errors
 /// None: the array has the size of the level, and the set has all kinds.
 #[rustfmt::skip]
-pub const fn map(tiles: &[u8; 336]) -> Result<tilesat::TileMap<'_, tilesat::AllShapes>, tilesat::TileMapError> {
-    tilesat::TileMap::of(tiles, GRID, &KINDS)
+pub const fn map(tiles: &[u8; 336]) -> Result<::tilesat::TileMap<'_, ::tilesat::AllShapes>, ::tilesat::TileMapError> {
+    ::tilesat::TileMap::of(tiles, GRID, &KINDS)
 }
 /// Its position in its world, in pixels of the map: x, y, width, height.
 pub const WORLD: [i32; 4] = [0, 0, 384, 224];

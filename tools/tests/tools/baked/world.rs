@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "a game may use only a part")]
 #![allow(clippy::unreadable_literal, reason = "raw coordinates")]
 
-use tilesat::{TileKind, TileKinds};
+use ::tilesat::{TileKind, TileKinds};
 
 /// The flag bits of the game's rules.
 pub const FLAG_LADDER: u8 = 1;
@@ -34,12 +34,12 @@ pub mod cave_1 {
     ";
     /// Where the cells are: the first corner is at the origin.
     #[rustfmt::skip]
-    pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+    pub const GRID: ::tilesat::Grid = match ::tilesat::Grid::new(WIDTH, HEIGHT, ::tilesat::Fx::lit("16"), ::tilesat::Vec2::ZERO) {
         Ok(grid) => grid,
         Err(_) => panic!("the cells do not fit"),
     };
     /// The level as it was drawn, with nothing outside.
-    pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+    pub static MAP: ::tilesat::TileMap<::tilesat::Blocks> = match map(TILES) {
         Ok(map) => map,
         Err(_) => panic!("the tiles do not fit"),
     };
@@ -48,8 +48,8 @@ pub mod cave_1 {
     /// # Errors
     /// None: the array has the size of the level, and the set has all kinds.
     #[rustfmt::skip]
-    pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
-        tilesat::TileMap::of(tiles, GRID, &KINDS)
+    pub const fn map(tiles: &[u8; 48]) -> Result<::tilesat::TileMap<'_, ::tilesat::Blocks>, ::tilesat::TileMapError> {
+        ::tilesat::TileMap::of(tiles, GRID, &KINDS)
     }
     /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [0, 0, 128, 96];
@@ -74,12 +74,12 @@ pub mod cave_1_2 {
     ";
     /// Where the cells are: the first corner is at the origin.
     #[rustfmt::skip]
-    pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+    pub const GRID: ::tilesat::Grid = match ::tilesat::Grid::new(WIDTH, HEIGHT, ::tilesat::Fx::lit("16"), ::tilesat::Vec2::ZERO) {
         Ok(grid) => grid,
         Err(_) => panic!("the cells do not fit"),
     };
     /// The level as it was drawn, with nothing outside.
-    pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+    pub static MAP: ::tilesat::TileMap<::tilesat::Blocks> = match map(TILES) {
         Ok(map) => map,
         Err(_) => panic!("the tiles do not fit"),
     };
@@ -88,8 +88,8 @@ pub mod cave_1_2 {
     /// # Errors
     /// None: the array has the size of the level, and the set has all kinds.
     #[rustfmt::skip]
-    pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
-        tilesat::TileMap::of(tiles, GRID, &KINDS)
+    pub const fn map(tiles: &[u8; 48]) -> Result<::tilesat::TileMap<'_, ::tilesat::Blocks>, ::tilesat::TileMapError> {
+        ::tilesat::TileMap::of(tiles, GRID, &KINDS)
     }
     /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [128, 0, 128, 96];
@@ -114,12 +114,12 @@ pub mod hall {
     ";
     /// Where the cells are: the first corner is at the origin.
     #[rustfmt::skip]
-    pub const GRID: tilesat::Grid = match tilesat::Grid::new(WIDTH, HEIGHT, tilesat::Fx::lit("16"), tilesat::Vec2::ZERO) {
+    pub const GRID: ::tilesat::Grid = match ::tilesat::Grid::new(WIDTH, HEIGHT, ::tilesat::Fx::lit("16"), ::tilesat::Vec2::ZERO) {
         Ok(grid) => grid,
         Err(_) => panic!("the cells do not fit"),
     };
     /// The level as it was drawn, with nothing outside.
-    pub static MAP: tilesat::TileMap<tilesat::Blocks> = match map(TILES) {
+    pub static MAP: ::tilesat::TileMap<::tilesat::Blocks> = match map(TILES) {
         Ok(map) => map,
         Err(_) => panic!("the tiles do not fit"),
     };
@@ -128,8 +128,8 @@ pub mod hall {
     /// # Errors
     /// None: the array has the size of the level, and the set has all kinds.
     #[rustfmt::skip]
-    pub const fn map(tiles: &[u8; 48]) -> Result<tilesat::TileMap<'_, tilesat::Blocks>, tilesat::TileMapError> {
-        tilesat::TileMap::of(tiles, GRID, &KINDS)
+    pub const fn map(tiles: &[u8; 48]) -> Result<::tilesat::TileMap<'_, ::tilesat::Blocks>, ::tilesat::TileMapError> {
+        ::tilesat::TileMap::of(tiles, GRID, &KINDS)
     }
     /// Its position in its world, in pixels of the map: x, y, width, height.
     pub const WORLD: [i32; 4] = [-128, 96, 128, 96];

@@ -1,0 +1,55 @@
+//! Values of JSON in the forms that other programs write: whole numbers as floats, and null.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::{Error, Visitor};
+use serde::{Deserialize, Deserializer};
+
+/// A whole number, also as `16.0`. Null is 0.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Whole<T>(pub(super) T);
+
+impl<'de, T: TryFrom<i64> + Default> Deserialize<'de> for Whole<T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Any<T>(PhantomData<T>);
+        impl<T: TryFrom<i64> + Default> Visitor<'_> for Any<T> {
+            type Value = Whole<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a whole number")
+            }
+            fn visit_i64<E: Error>(self, number: i64) -> Result<Whole<T>, E> {
+                T::try_from(number).map(Whole).map_err(|_| E::custom(format!("{number} is out of range")))
+            }
+            fn visit_u64<E: Error>(self, number: u64) -> Result<Whole<T>, E> {
+                let number = i64::try_from(number).map_err(|_| E::custom(format!("{number} is out of range")))?;
+                self.visit_i64(number)
+            }
+            fn visit_f64<E: Error>(self, number: f64) -> Result<Whole<T>, E> {
+                if number.fract() != 0.0 {
+                    return Err(E::custom(format!("{number} is not a whole number")));
+                }
+                self.visit_i64(number as i64)
+            }
+            fn visit_unit<E: Error>(self) -> Result<Whole<T>, E> {
+                Ok(Whole(T::default()))
+            }
+        }
+        from.deserialize_any(Any(PhantomData))
+    }
+}
+
+/// A whole number.
+pub(super) fn whole<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(from: D) -> Result<T, D::Error> {
+    Whole::deserialize(from).map(|number| number.0)
+}
+
+/// A whole number, if there is one.
+pub(super) fn count<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(from: D) -> Result<Option<T>, D::Error> {
+    Option::<Whole<T>>::deserialize(from).map(|number| number.map(|number| number.0))
+}
+
+/// Nothing instead of null.
+pub(super) fn given<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(from: D) -> Result<T, D::Error> {
+    Option::<T>::deserialize(from).map(Option::unwrap_or_default)
+}
