@@ -78,7 +78,9 @@ impl<S: Law> Mover<S> {
         }
         match (self.response_to(entry.normal, feature, toi), self.bounce.0) {
             (Response::Touch, _) => run.v = Raw::ZERO,
-            (Response::Bounce, Some(reply)) if !self.surface.surface().stops(run.v, entry.normal) => {
+            (Response::Bounce, Some(reply))
+                if !(self.surface.surface().stops(run.v, entry.normal) || run.is_squeezed(made, entry.normal)) =>
+            {
                 run.turn(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));
             }
             (Response::Slide | Response::DropThrough | Response::Bounce, _) => {

@@ -1,7 +1,7 @@
 //! The straight ways of a body in a step, and its drift since it rests.
 
 use crate::broad::Handle;
-use crate::num::{Axis, Raw, Toi, Vec2};
+use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div};
 
 /// The way of a body in a step, once its velocity is known: straight ways only.
 #[derive(Clone, Copy, Debug)]
@@ -157,6 +157,18 @@ impl BodyWay {
 pub(super) fn size(v: Vec2) -> u32 {
     let Raw { x, y } = Raw::of(v);
     x.unsigned_abs().saturating_add(y.unsigned_abs())
+}
+
+/// The rate at which a displacement takes all that is left of the step from a time on, rounded
+/// toward zero. Nothing is left for one that is not a part of a way.
+pub(super) fn rate_of(by: Vec2, from: Toi) -> Vec2 {
+    let left = Toi::ONE.raw().wrapping_sub(from.raw());
+    let whole = |c: i32| {
+        let size = mul_div(c.unsigned_abs(), Toi::ONE.raw(), left).min(DOMAIN.unsigned_abs()) as i32;
+        if c < 0 { size.wrapping_neg() } else { size }
+    };
+    let Raw { x, y } = Raw::of(by);
+    if left == 0 { Vec2::ZERO } else { Raw { x: whole(x), y: whole(y) }.vec2() }
 }
 
 /// A part of what is left of the step from a time on, as a time of the step, rounded down.

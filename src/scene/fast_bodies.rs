@@ -9,7 +9,7 @@
 
 use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, NOBODY, Slot};
-use super::body_way::{BodyWay, Heading, Pace, TURNS, WayEnd, later, size};
+use super::body_way::{BodyWay, Heading, Pace, TURNS, WayEnd, later, rate_of, size};
 use super::change::add_to_awake;
 use super::idle::{reach_of, stop_idling};
 use super::kernel::BodyShape;
@@ -235,12 +235,24 @@ where
         let touched = self.trip.touch(&slot.body, slot.way.left(slot.way.since));
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
         slot.way.turns += u8::from(slot.way.turns < TURNS);
-        let mut push = pushed(slot);
+        let (mut push, mut chord) = (pushed(slot), None);
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
+            let stays = shape.position() == slot.body.shape.position();
             self.trip.report_way(handle, &slot.body.shape, &shape);
             slot.body.shape = shape;
-            slot.body.velocity = self.trip.after(&slot.body, &hit);
+            if stays && slot.way.stop == Heading::of(hit.axis) {
+                // Between two surfaces that face each other, bounces would take no time.
+                slot.body.velocity = Surface::SLICK.respond(velocity, hit.axis).unwrap_or(Vec2::ZERO);
+            } else {
+                let (after, slides) = self.trip.after(&slot.body, &hit);
+                // A curve has the next hit at once, again and again. The mover knows the chord, and
+                // others can meet the body on that.
+                if slides && slot.way.turns > 1 && push == Vec2::ZERO {
+                    chord = self.trip.bend(&slot.body, slot.way.left(time)).ok();
+                }
+                slot.body.velocity = after;
+            }
             // It is pushed along the surface.
             push = Surface::SLICK.respond(push, hit.axis).unwrap_or(Vec2::ZERO);
             slot.way.stop = Heading::of(hit.axis.reversed());
@@ -250,7 +262,14 @@ where
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags, velocity });
         }
-        slot.way.go_on(time, if slot.way.waits() { Vec2::ZERO } else { slot.body.velocity + push });
+        let leads = |to: Vec2| !slot.way.waits() && to != slot.body.shape.position();
+        if let Some((to, velocity)) = chord.filter(|(to, _)| leads(*to)) {
+            let by = to - slot.body.shape.position();
+            slot.body.velocity = rate_of(velocity, time);
+            slot.way.go_on(time, rate_of(by, time));
+        } else {
+            slot.way.go_on(time, if slot.way.waits() { Vec2::ZERO } else { slot.body.velocity + push });
+        }
         let at = handle.slot() as u16;
         self.look_again(Some([at, at]));
     }

@@ -19,7 +19,8 @@ use crate::num::{Fx, MOTION, check_motion};
 /// stays awake. A body that wakes because another one touches it keeps its steps of rest.
 ///
 /// Without friction, heaps of round bodies in a funnel may stay awake for ever: 9 of 38 pairs of
-/// capsules did, and most heaps of six and more. Friction ends that.
+/// capsules did, and most heaps of six and more. Friction mostly ends that. Between slopes that are
+/// steeper than 45 degrees, it often does not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {
@@ -316,6 +317,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 
     /// Whether the level, or bodies that the level carries, carried a body in the last step. Always
     /// true for fixed bodies.
+    ///
+    /// Only floors carry. For a body that is wedged between two slopes above 45 degrees it is
+    /// false. [`Mover::supported`](crate::Mover::supported) also looks for wedges.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).

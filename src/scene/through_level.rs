@@ -13,7 +13,7 @@ use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::{Body, Hit, Moved, Mover, Response, Surface};
-use crate::num::{Ratio, Vec2};
+use crate::num::{Ratio, Raw, Vec2};
 use crate::world::World;
 
 /// The data that all motions through the level share.
@@ -77,6 +77,19 @@ impl<S, V: View<S>> Visit<S> for Slide<'_, '_, V, S> {
     fn of<B: Body + Into<S>>(self, from: &B) -> Self::Out {
         let Self(trip, body, by) = self;
         Ok(trip.view.go(&trip.mover, body, from, by)?.body.into())
+    }
+}
+
+/// The end of a body's own motion, and its velocity there. The body does not make that motion.
+struct Bend<'t, 'a, V, S>(&'t Trip<'a, V>, &'t SceneBody<S>, Vec2);
+
+impl<S: BodyShape, V: View<S>> Visit<S> for Bend<'_, '_, V, S> {
+    type Out = Result<(Vec2, Vec2), SceneFault>;
+    #[inline]
+    fn of<B: Body + Into<S>>(self, from: &B) -> Self::Out {
+        let Self(trip, body, by) = self;
+        let moved = trip.bouncing(body).move_and_slide(trip.view.level(body), from, by)?;
+        Ok((moved.position(), moved.velocity))
     }
 }
 
@@ -222,6 +235,14 @@ impl<V> Trip<'_, V> {
         body.shape.visit(ToFirstHit(&mover, level, by))
     }
 
+    /// Where the body's own motion would lead, and its velocity there.
+    pub(super) fn bend<S: BodyShape>(&self, body: &SceneBody<S>, by: Vec2) -> Result<(Vec2, Vec2), SceneFault>
+    where
+        V: View<S>,
+    {
+        body.shape.visit(Bend(self, body, by))
+    }
+
     /// Moves as far as the level allows.
     pub(super) fn slide<S: BodyShape>(&self, handle: Handle, body: &SceneBody<S>, by: Vec2) -> Result<S, SceneFault>
     where
@@ -272,15 +293,16 @@ impl<V> Trip<'_, V> {
         body.surface.resting_under(body.weight(self.gravity))
     }
 
-    /// The velocity of a body after a hit of the level.
-    pub(super) fn after<S: BodyShape>(&self, body: &SceneBody<S>, hit: &Hit) -> Vec2 {
+    /// The velocity of a body after a hit of the level, and whether that is a slide.
+    pub(super) fn after<S: BodyShape>(&self, body: &SceneBody<S>, hit: &Hit) -> (Vec2, bool) {
         let mut surface = self.surface(body);
         match body.responses.response_to(hit.flags) {
-            Some(Response::Touch) => return Vec2::ZERO,
+            Some(Response::Touch) => return (Vec2::ZERO, false),
             Some(Response::Slide) => surface = Surface::new(Ratio::ZERO, surface.friction()),
             _ => {}
         }
-        surface.respond(body.velocity, hit.axis).unwrap_or(Vec2::ZERO)
+        let slides = surface.stops(Raw::of(body.velocity), hit.axis);
+        (surface.respond(body.velocity, hit.axis).unwrap_or(Vec2::ZERO), slides)
     }
 
     /// Updates a body that has come this far.

@@ -6,6 +6,7 @@ mod broad_grid;
 mod broad_model;
 mod broad_pairs;
 mod broad_removals;
+mod fast_curves;
 mod filters;
 mod hanging;
 mod leaning;

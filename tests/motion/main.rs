@@ -12,6 +12,7 @@ mod alive_ramps;
 mod alive_random;
 mod alive_walks;
 mod assist;
+mod bounce_curves;
 mod by_flags;
 mod clear;
 mod convex_bodies;

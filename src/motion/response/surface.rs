@@ -129,16 +129,17 @@ impl Surface {
     }
 
     /// Whether a hit is a slide: nothing comes back, or `v` is too slow along the normal to bounce:
-    /// |v.n| <= rest |n|, exactly.
+    /// |v.n| <= rest |n|, exactly. So is a hit along the surface, where a curve begins: a bounce
+    /// would leave the velocity as it is, and meet the curve again.
     ///
     /// A slide considers all surfaces that the body touches. With one reply per hit, a body in a V
     /// would move up one side and down the other for ever.
-    pub(in crate::motion) fn stops(&self, v: Raw, n: Axis) -> bool {
+    pub(crate) fn stops(&self, v: Raw, n: Axis) -> bool {
         if self.restitution == Ratio::ZERO {
             return true;
         }
         let along = n.dot(Axis::new(v.x, v.y)).unsigned_abs();
-        self.rest != 0 && !less128(mul64(usqr(self.rest), n.length_squared()), sqr64(along))
+        along == 0 || self.rest != 0 && !less128(mul64(usqr(self.rest), n.length_squared()), sqr64(along))
     }
 
     /// A speed along a bend of a radius, less the friction of turning the velocity over the path

@@ -123,12 +123,13 @@ impl<S: Law> Mover<S> {
     /// with a snap of 3. The walker is pulled down to the lift in each following tick, stands all
     /// the time, and slides off its side. With `follow` 3 it is carried.
     ///
-    /// **After `Squashed`** the body overlaps the solid. Every move in the level joined with the
-    /// solids is [`MoveError::Stuck`](crate::MoveError::Stuck) until the solid has passed it. The
-    /// game decides what happens: let it wait (a move that is stuck leaves it where it is), end it,
-    /// or push it out with [`escape`](crate::motion::escape). Any overlap counts: a body half a
-    /// unit under the edge of a crusher is squashed, too. A game that forgives such edges escapes
-    /// first, and then tests which bodies are still stuck.
+    /// **After `Squashed`** the body overlaps the solid, unless the solid has passed it within the
+    /// tick, as a lift that moves diagonally past a corner of the body may do. Every move in the
+    /// level joined with the solids is [`MoveError::Stuck`](crate::MoveError::Stuck) until the
+    /// solid has passed it. The game decides what happens: let it wait (a move that is stuck leaves
+    /// it where it is), end it, or push it out with [`escape`](crate::motion::escape). Any overlap
+    /// counts: a body half a unit under the edge of a crusher is squashed, too. A game that
+    /// forgives such edges escapes first, and then tests which bodies are still stuck.
     ///
     /// No result depends on the order of the list. Bodies do not push each other, so their order
     /// does not matter either. Solids do not push solids. A mover that drops through one-way faces

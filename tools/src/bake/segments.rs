@@ -178,8 +178,8 @@ pub(crate) fn refuse_crossed(outlines: &[Outline]) -> Result<()> {
     Ok(())
 }
 
-/// Drops points that repeat the one before: an editor adds one if the user clicks twice, or closes a
-/// polygon by hand. Returns a note about each outline with such points.
+/// Drops points that repeat the one before: an editor adds one if the user clicks twice, or closes
+/// a polygon by hand. Returns a note about each outline with such points.
 pub(crate) fn once(outlines: &mut [Outline]) -> Vec<String> {
     let mut notes = Vec::new();
     for outline in outlines {

@@ -2,7 +2,8 @@
 
 use serde::Deserialize;
 
-/// The depth of nested lists and members. Groups of Tiled nest as deep as in XML: two of these each.
+/// The depth of nested lists and members. Groups of Tiled nest as deep as in XML: two of these
+/// each.
 const MAX_DEPTH: usize = 208;
 
 /// Whether a file contains JSON. Everything else is XML.

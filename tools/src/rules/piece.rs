@@ -85,8 +85,8 @@ impl Frame {
         };
         let scaled = |length: i64, (to, from): (u32, u32)| Decimal::whole(length).scaled(to, from);
         let (width, height) = (scaled(across.into(), scale[0]), scaled(down.into(), scale[1]));
-        // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn at
-        // another size scales its offset with it.
+        // Tiled draws tiles upward from the lower left corner of their cell. A tile that is drawn
+        // at another size scales its offset with it.
         let own = if flip.diagonal { [scale[1], scale[0]] } else { scale };
         let (x, y) = (scaled(set.offset.0.into(), own[0]), scaled(set.offset.1.into(), own[1]));
         // What is left of the cell is on both sides of the picture.
