@@ -92,7 +92,17 @@ pub fn judge(level: &Level, start: &Body, v: P, response: Response, out: &Outcom
             check(out.v == expected, "a box slides with another velocity")
         }
         Response::Bounce if matches!(start, Body::Rect { .. }) => {
-            let turns = |by: fn(&P) -> i64| if axes.iter().filter(|n| by(n) != 0).count() % 2 == 0 { 1 } else { -1 };
+            let turns = |by: fn(&P) -> i64| {
+                let on_axis = || (0..axes.len()).filter(|&i| by(&axes[i]) != 0);
+                let ends = on_axis().any(|i| path::is_squeezed(&obeyed, i));
+                if ends {
+                    0
+                } else if on_axis().count() % 2 == 0 {
+                    1
+                } else {
+                    -1
+                }
+            };
             check(out.v == (v.0 * turns(|n| n.0), v.1 * turns(|n| n.1)), "a box bounces with another velocity")
         }
         _ => Ok(()),

@@ -22,6 +22,14 @@ fn respond(v: V, n: V, response: Response) -> V {
     (v.0 - k * n.0, v.1 - k * n.1)
 }
 
+/// Whether a hit is of a surface that faces one hit at the same moment. Bounces between the two
+/// would take no time, so it is a slide.
+pub fn is_squeezed(hits: &[&Hit], i: usize) -> bool {
+    let of = |hit: &Hit| ((i64::from(hit.axis.x), i64::from(hit.axis.y)), hit.toi);
+    let (n, toi) = of(hits[i]);
+    hits[..i].iter().any(|hit| of(hit) == ((-n.0, -n.1), toi))
+}
+
 fn near(a: P, b: V, within: f64) -> bool {
     (a.0 as f64 - b.0).abs() <= within && (a.1 as f64 - b.1).abs() <= within
 }
@@ -306,7 +314,7 @@ fn replays(level: &Level, start: &Body, v: P, response: Response, out: &Outcome)
                     return Ok(());
                 }
             } else {
-                vel = respond(vel, normal, response);
+                vel = respond(vel, normal, if is_squeezed(&hits, i) { Response::Slide } else { response });
             }
         }
     }
@@ -375,7 +383,11 @@ pub fn box_is_exact(level: &Level, start: &Body, v: P, response: Response, out: 
     let size = (hi.0 - lo.0, hi.1 - lo.1);
     // Where the box is, on the axis of the hit, when it touches each face in turn.
     let mut stops = (vec![lo.0], vec![lo.1]);
-    for hit in out.hits.iter().filter(|h| response != Response::DropThrough || !h.one_way) {
+    let obeyed: Vec<&Hit> = out.hits.iter().filter(|h| response != Response::DropThrough || !h.one_way).collect();
+    let ends = |along: fn(&Hit) -> i32| {
+        (0..obeyed.len()).any(|i| along(obeyed[i]) != 0 && (response != Response::Bounce || is_squeezed(&obeyed, i)))
+    };
+    for hit in &obeyed {
         let (a, b) = level.square(hit.cell.x.into(), hit.cell.y.into());
         match hit.index {
             0 => stops.1.push(a.1 - size.1),
@@ -384,15 +396,13 @@ pub fn box_is_exact(level: &Level, start: &Body, v: P, response: Response, out: 
             _ => stops.0.push(a.0 - size.0),
         }
     }
-    let axis = |stops: &[i64], end: i64, v: i64, remaining: i64| {
+    let axis = |stops: &[i64], ends: bool, end: i64, v: i64, remaining: i64| {
         let way: i64 = stops.windows(2).map(|w| (w[1] - w[0]).abs()).sum();
         let last = *stops.last().unwrap_or(&end);
-        match response {
-            Response::Slide | Response::DropThrough if stops.len() > 1 => end == last && remaining == 0,
-            _ => way + (end - last).abs() + remaining.abs() == v.abs(),
-        }
+        if ends { end == last && remaining == 0 } else { way + (end - last).abs() + remaining.abs() == v.abs() }
     };
-    let ok = axis(&stops.0, end.0, v.0, out.remaining.0) && axis(&stops.1, end.1, v.1, out.remaining.1);
+    let ok = axis(&stops.0, ends(|h| h.axis.x), end.0, v.0, out.remaining.0)
+        && axis(&stops.1, ends(|h| h.axis.y), end.1, v.1, out.remaining.1);
     let stopped = response == Response::Touch && !out.hits.is_empty();
     if ok || stopped { Ok(()) } else { Err("a box's motion is not exact".to_owned()) }
 }
