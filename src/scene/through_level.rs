@@ -81,9 +81,9 @@ impl<S, V: View<S>> Visit<S> for Slide<'_, '_, V, S> {
 }
 
 /// The end of a body's own motion, and its velocity there. The body does not make that motion.
-struct Bend<'t, 'a, V, S>(&'t Trip<'a, V>, &'t SceneBody<S>, Vec2);
+struct OwnMotion<'t, 'a, V, S>(&'t Trip<'a, V>, &'t SceneBody<S>, Vec2);
 
-impl<S: BodyShape, V: View<S>> Visit<S> for Bend<'_, '_, V, S> {
+impl<S: BodyShape, V: View<S>> Visit<S> for OwnMotion<'_, '_, V, S> {
     type Out = Result<(Vec2, Vec2), SceneFault>;
     #[inline]
     fn of<B: Body + Into<S>>(self, from: &B) -> Self::Out {
@@ -240,7 +240,7 @@ impl<V> Trip<'_, V> {
     where
         V: View<S>,
     {
-        body.shape.visit(Bend(self, body, by))
+        body.shape.visit(OwnMotion(self, body, by))
     }
 
     /// Moves as far as the level allows.
