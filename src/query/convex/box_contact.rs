@@ -2,7 +2,7 @@
 
 use super::across::normal;
 use super::box_pair::BoxPair;
-use super::float_margins::{self, FloatMargins};
+use super::float_margins::{self, FloatMargins, SHORT};
 use super::nearness::Unsure;
 use super::two_floats::TwoFloats as Two;
 use crate::num::{Axis, Raw};
@@ -45,8 +45,6 @@ struct NearestSide {
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "an error where the rounding could matter")]
 fn nearest(margins: &FloatMargins, lengths: [Two; 2]) -> Result<NearestSide, Unsure> {
-    // Three roundings of 2^-53 each.
-    const SHORT: f64 = 1.0 - f64::EPSILON * 16.0;
     let squares = |m: Two, len2: Two| m.times(m).over(len2);
     let [own, others] = margins.areas.0.map(Two::both);
     let (of_both, [p, q]) = ([margins.of_a.add(own), margins.of_b.add(others)], lengths);

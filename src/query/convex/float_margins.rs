@@ -12,6 +12,9 @@ use crate::num::Raw;
 /// and 2^9. Together that is less than this.
 pub(super) const OFF: f64 = 4096.0;
 
+/// A share of a quotient of a square that three roundings of 2^-53 each cannot make up.
+pub(super) const SHORT: f64 = 1.0 - f64::EPSILON * 16.0;
+
 /// Whether vectors with this sum of square lengths are shorter than 2^25. Then products of two are
 /// below 2^49, and sums of eight products are below 2^52: floats are exact.
 #[inline(always)]

@@ -7,7 +7,7 @@
 
 use super::across::across;
 use super::each_side::side_from;
-use super::float_margins::OFF;
+use super::float_margins::{OFF, SHORT};
 use super::nearness::Unsure;
 use super::two_floats::TwoFloats as Two;
 use super::walk::Core;
@@ -134,8 +134,6 @@ impl Nearer {
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "an error where the rounding could matter")]
 fn nearest(p: &Quad, q: &Quad) -> Result<Option<usize>, Unsure> {
-    // Three roundings of 2^-53 each.
-    const SHORT: f64 = 1.0 - f64::EPSILON * 16.0;
     let of_a = p.sides(q);
     if TwoSides::least(&of_a) < -OFF {
         return Ok(None);

@@ -26,14 +26,9 @@ fn turned(r: &mut Random, size: i64) -> OrientedBox {
 /// Two boxes of one size class that touch, within three raw units.
 fn near(r: &mut Random, size: i64) -> (OrientedBox, OrientedBox) {
     let (a, b, way) = (turned(r, size), turned(r, size), (r.around(4 * size) | 1, r.around(4 * size)));
-    let at = |t: i64| b.translated(vec(((way.0 * t) >> 30, (way.1 * t) >> 30))).unwrap();
-    let (mut inside, mut outside) = (0, 1 << 30);
-    while outside - inside > 1 {
-        let middle = (inside + outside) >> 1;
-        let is_inside = all_meet::<true>(BoxPair::of(&a, &at(middle)).unwrap().sides());
-        *(if is_inside { &mut inside } else { &mut outside }) = middle;
-    }
-    (a, at(inside).translated(vec((r.around(3), r.around(3)))).unwrap())
+    let at = |t: i64| b.translated(vec(part(way, t, (0, 0)))).unwrap();
+    let touch = last(|t| all_meet::<true>(BoxPair::of(&a, &at(t)).unwrap().sides()));
+    (a, at(touch).translated(vec((r.around(3), r.around(3)))).unwrap())
 }
 
 /// Of all sizes, the answers by floats and by leading bits are those of exact products, or none.
