@@ -183,10 +183,8 @@ fn collision(baked: &[&(PathBuf, Map)]) -> Option<Fail> {
 
 /// A warning about each level whose module has another name than the level.
 fn renamed(baked: &[&(PathBuf, Map)], modules: &[String], folder: &str) -> Vec<String> {
-    let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
     let line = |((file, map), module): (&&(PathBuf, Map), &String)| {
-        let plain: String = map.name.chars().map(letter).collect();
-        (plain.trim_matches('_') != module).then(|| {
+        (names::plain(&map.name) != *module).then(|| {
             format!(
                 "{}: its module is {folder}::{module}, because '{}' is no free name of a module; rename the level",
                 file.display(),

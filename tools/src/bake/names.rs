@@ -12,14 +12,19 @@ pub(crate) fn modules<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     unique(names.map(module))
 }
 
-/// The module of a level whose name no other level has.
-pub(crate) fn module(name: &str) -> String {
+/// A name in small letters, digits and underscores. Rust may not accept it.
+pub(crate) fn plain(name: &str) -> String {
     let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
     let name: String = name.chars().map(letter).collect();
-    let name = name.trim_matches('_');
+    name.trim_matches('_').to_owned()
+}
+
+/// The module of a level whose name no other level has.
+pub(crate) fn module(name: &str) -> String {
+    let name = plain(name);
     let wrong =
         name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) || KEYWORDS.contains(&format!(" {name} "));
-    if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name.to_owned() }
+    if wrong { format!("level_{name}").trim_matches('_').to_owned() } else { name }
 }
 
 /// A constant name for each flag: `FLAG_` and the name in capitals, each unique.
