@@ -248,8 +248,9 @@ where
                 let (after, slides) = self.trip.after(&slot.body, &hit);
                 // A curve has the next hit at once, again and again. The mover knows the chord, and
                 // others can meet the body on that.
-                if slides && slot.way.turns > 1 && push == Vec2::ZERO {
-                    chord = self.trip.bend(&slot.body, slot.way.left(time)).ok();
+                if slides && slot.way.turns > 1 && !slot.way.waits() && push == Vec2::ZERO {
+                    let bent = self.trip.bend(&slot.body, slot.way.left(time));
+                    chord = bent.ok().filter(|(by, _)| *by != Vec2::ZERO);
                 }
                 slot.body.velocity = after;
             }
@@ -262,9 +263,7 @@ where
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags, velocity });
         }
-        let leads = |to: Vec2| !slot.way.waits() && to != slot.body.shape.position();
-        if let Some((to, velocity)) = chord.filter(|(to, _)| leads(*to)) {
-            let by = to - slot.body.shape.position();
+        if let Some((by, velocity)) = chord {
             slot.body.velocity = rate_of(velocity, time);
             slot.way.go_on(time, rate_of(by, time));
         } else {

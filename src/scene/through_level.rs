@@ -80,7 +80,8 @@ impl<S, V: View<S>> Visit<S> for Slide<'_, '_, V, S> {
     }
 }
 
-/// The end of a body's own motion, and its velocity there. The body does not make that motion.
+/// The displacement of a body's own motion, and its velocity then. The body does not make that
+/// motion.
 struct OwnMotion<'t, 'a, V, S>(&'t Trip<'a, V>, &'t SceneBody<S>, Vec2);
 
 impl<S: BodyShape, V: View<S>> Visit<S> for OwnMotion<'_, '_, V, S> {
@@ -89,7 +90,7 @@ impl<S: BodyShape, V: View<S>> Visit<S> for OwnMotion<'_, '_, V, S> {
     fn of<B: Body + Into<S>>(self, from: &B) -> Self::Out {
         let Self(trip, body, by) = self;
         let moved = trip.bouncing(body).move_and_slide(trip.view.level(body), from, by)?;
-        Ok((moved.position(), moved.velocity))
+        Ok((moved.position() - from.position(), moved.velocity))
     }
 }
 
@@ -235,7 +236,7 @@ impl<V> Trip<'_, V> {
         body.shape.visit(ToFirstHit(&mover, level, by))
     }
 
-    /// Where the body's own motion would lead, and its velocity there.
+    /// The displacement that the body's own motion would make, and its velocity then.
     pub(super) fn bend<S: BodyShape>(&self, body: &SceneBody<S>, by: Vec2) -> Result<(Vec2, Vec2), SceneFault>
     where
         V: View<S>,
