@@ -139,6 +139,7 @@ pub mod response {
     //! *Advanced Character Physics* (2001).
 
     mod acceleration;
+    mod bounce;
     mod impact;
     mod law;
     mod reply;
@@ -149,10 +150,10 @@ pub mod response {
     mod verlet;
 
     pub use acceleration::{Acceleration, Carry};
+    pub(in crate::motion) use bounce::{Bounce, ReplyFn};
     pub use impact::{Masses, Split, bounce, exchange, respond, separate, slide, split};
     pub(in crate::motion) use law::Law;
     pub use law::{ByFlags, ByHit, Smooth};
-    pub(in crate::motion) use reply::{Bounce, ReplyFn};
     pub use surface::{Energy, Speed, Surface};
     pub use table::{Response, Responses};
     pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};

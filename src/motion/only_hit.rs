@@ -39,7 +39,7 @@ impl<S: Law> Mover<S> {
         let toi = if entry.num == 0 { Toi::ZERO } else { Toi::clamped(mul_div(Toi::ONE.raw(), entry.num, entry.den)) };
         match self.response_to(normal, feature, toi) {
             Response::Touch => return None,
-            Response::Bounce if !self.surface.surface().stops(d, normal) => return None,
+            Response::Bounce if self.bounce.reply(self.surface.surface(), (d, normal), None).is_some() => return None,
             Response::Slide | Response::DropThrough | Response::Bounce => {}
         }
         let is_askew = may_be_askew::<B, W>() && (entry.step.is_some() || (normal.x != 0 && normal.y != 0));

@@ -269,14 +269,6 @@ impl<'m, B: Body> Run<'m, B> {
         self.moved.flags |= feature.flags;
         self.moved.hits.push(Hit::of(normal, feature, toi.max(last)));
     }
-
-    /// Whether the last hit is of a surface that faces one which the body touches at the same
-    /// place. Bounces between these would take no time, and never end.
-    pub(super) fn is_squeezed(&self, made: Raw, normal: Axis) -> bool {
-        let hits = &self.moved.hits;
-        let faces = |hit: &Hit| hit.axis == normal.reversed() && hits.last().is_some_and(|last| last.toi == hit.toi);
-        made.is_zero() && hits.iter().any(faces)
-    }
 }
 
 /// Whether the end of a motion that meets nothing is certain.

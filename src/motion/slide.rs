@@ -76,25 +76,22 @@ impl<S: Law> Mover<S> {
         if WALKS && side == SurfaceRole::Floor && !run.falls {
             return false;
         }
-        match (self.response_to(entry.normal, feature, toi), self.bounce.0) {
-            (Response::Touch, _) => run.v = Raw::ZERO,
-            (Response::Bounce, Some(reply))
-                if !(self.surface.surface().stops(run.v, entry.normal) || run.is_squeezed(made, entry.normal)) =>
-            {
-                run.turn(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));
+        let response = self.response_to(entry.normal, feature, toi);
+        let here = made.is_zero().then_some(&run.moved.hits);
+        let bounces = || self.bounce.reply(self.surface.surface(), (run.v, entry.normal), here);
+        if response == Response::Touch {
+            run.v = Raw::ZERO;
+        } else if let Some(reply) = (response == Response::Bounce).then(bounces).flatten() {
+            run.turn(reflect::<B, W, S>(run.v, entry.normal, &self.surface, reply));
+        } else if !may_be_askew::<B, W>() {
+            run.turn(project::<B, W, S>(run.v, entry.normal, &self.surface));
+        } else if is_plain(run, entry) {
+            self.lose_component::<W, B>(run, made, entry, feature);
+        } else {
+            if WALKS && side == SurfaceRole::Wall {
+                run.before = self.stopped::<W, B>(run.before, entry.normal);
             }
-            (Response::Slide | Response::DropThrough | Response::Bounce, _) => {
-                if !may_be_askew::<B, W>() {
-                    run.turn(project::<B, W, S>(run.v, entry.normal, &self.surface));
-                } else if is_plain(run, entry) {
-                    self.lose_component::<W, B>(run, made, entry, feature);
-                } else {
-                    if WALKS && side == SurfaceRole::Wall {
-                        run.before = self.stopped::<W, B>(run.before, entry.normal);
-                    }
-                    return true;
-                }
-            }
+            return true;
         }
         false
     }

@@ -12,7 +12,7 @@ pub trait Law: Sealed + Copy {
     /// Whether there is neither friction nor a loss.
     const SMOOTH: bool;
     /// The surface.
-    fn surface(&self) -> Surface;
+    fn surface(&self) -> &Surface;
     /// The response to a hit, if it is not the mover's.
     #[inline]
     fn response_to(&self, hit: &Hit) -> Option<Response> {
@@ -35,15 +35,15 @@ impl Sealed for Smooth {}
 
 impl Law for Smooth {
     const SMOOTH: bool = true;
-    fn surface(&self) -> Surface {
-        Surface::ELASTIC
+    fn surface(&self) -> &Surface {
+        &Surface::ELASTIC
     }
 }
 
 impl Law for Surface {
     const SMOOTH: bool = false;
-    fn surface(&self) -> Surface {
-        *self
+    fn surface(&self) -> &Surface {
+        self
     }
 }
 
@@ -59,7 +59,7 @@ impl<F, S> Sealed for ByHit<F, S> {}
 
 impl<F: Fn(&Hit) -> Option<Response> + Copy, S: Law> Law for ByHit<F, S> {
     const SMOOTH: bool = S::SMOOTH;
-    fn surface(&self) -> Surface {
+    fn surface(&self) -> &Surface {
         self.surface.surface()
     }
     fn response_to(&self, hit: &Hit) -> Option<Response> {
@@ -80,7 +80,7 @@ impl<S: Law> Sealed for ByFlags<S> {}
 
 impl<S: Law> Law for ByFlags<S> {
     const SMOOTH: bool = S::SMOOTH;
-    fn surface(&self) -> Surface {
+    fn surface(&self) -> &Surface {
         self.surface.surface()
     }
     fn responses(&self) -> Responses {

@@ -1,8 +1,6 @@
 //! The velocity after a contact: the exact reply, and the lattice vector nearest to it.
 
 use crate::num::{Axis, Ratio, Raw, imul, isqrt64, scaled, toward, umul};
-use core::fmt;
-use core::hash::{Hash, Hasher};
 
 /// How a surface changes a velocity that moves into it.
 #[derive(Clone, Copy)]
@@ -159,44 +157,4 @@ pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
         }
     }
     None
-}
-
-/// The reply to a velocity: [`reply`]. A program without a mover that bounces links none of it.
-pub(in crate::motion) type ReplyFn = fn(Raw, Axis, &Rule) -> Raw;
-
-/// Whether a mover bounces, and with which function. It holds the function's address: a function
-/// that is named directly would be linked even if nobody calls it.
-#[derive(Clone, Copy, Default)]
-pub(in crate::motion) struct Bounce(pub(in crate::motion) Option<ReplyFn>);
-
-impl Bounce {
-    pub(in crate::motion) const NONE: Self = Self(None);
-    pub(in crate::motion) const LINKED: Self = Self(Some(reply));
-}
-
-/// The responses of a mover say whether the function is called: linking it changes no answer.
-impl PartialEq for Bounce {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
-}
-
-impl Eq for Bounce {}
-
-/// Equal movers have equal hashes.
-impl Hash for Bounce {
-    fn hash<H: Hasher>(&self, _: &mut H) {}
-}
-
-impl fmt::Debug for Bounce {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.is_some().fmt(f)
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl defmt::Format for Bounce {
-    fn format(&self, f: defmt::Formatter<'_>) {
-        self.0.is_some().format(f);
-    }
 }
