@@ -45,9 +45,9 @@ impl OrientedBox {
     /// A box from its centre, half its size, and the direction of its first side.
     ///
     /// The length of the direction does not matter. `Axis::X` gives an upright box.
-    /// [`Axis::from_turns`] makes a direction from an angle. Each component of a half side is
-    /// rounded to nearest. So quarter turns and mirror images of the direction give turned and
-    /// mirrored boxes bit for bit.
+    /// [`Axis::from_turns`] and [`Axis::from_radians`] make a direction from an angle. Each
+    /// component of a half side is rounded to nearest. So quarter turns and mirror images of the
+    /// direction give turned and mirrored boxes bit for bit.
     ///
     /// # Errors
     /// [`RangeError`] if the direction is zero or has a component `i32::MIN`, a half extent is

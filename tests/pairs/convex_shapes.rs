@@ -91,6 +91,63 @@ fn angles_are_directions() {
     assert_eq!(Axis::from_turns(fx!(3.5)), Axis::from_turns(fx!(-0.5)));
 }
 
+#[test]
+fn radians_are_directions() {
+    use std::f64::consts::FRAC_PI_2;
+    let one = f64::from(1 << 30);
+    let check = |angle: f32| {
+        let Axis { x, y } = Axis::from_radians(angle).unwrap();
+        assert_eq!(Axis::from_radians(-angle), Some(Axis::new(x, -y)), "{angle}");
+        let wide = f64::from(angle);
+        let quarters = (wide / FRAC_PI_2).round();
+        let exact = if angle != 0.0 && ((quarters * FRAC_PI_2) as f32).to_bits() == angle.to_bits() {
+            assert!(x == 0 || y == 0, "{angle}: {x} {y}");
+            [(1, 0), (0, 1), (-1, 0), (0, -1)][quarters as usize % 4]
+        } else {
+            assert!(angle == 0.0 || angle < 1e-6 || x != 0 && y != 0, "{angle}: {x} {y}");
+            let (dx, dy) = (f64::from(x) / one - wide.cos(), f64::from(y) / one - wide.sin());
+            assert!(dx.abs().max(dy.abs()) < 2f64.powi(-23), "{angle}: {dx:e} {dy:e}");
+            return;
+        };
+        assert_eq!((x, y), (exact.0 << 30, exact.1 << 30), "{angle}");
+    };
+    // All exponents, with significands of all sizes, and both neighbours of all quarters.
+    for exponent in 0..127 + 20 {
+        for significand in (0..1 << 23).step_by(40_009).chain([1, (1 << 23) - 1]) {
+            check(f32::from_bits(exponent << 23 | significand));
+        }
+    }
+    for quarters in 0..600_000 {
+        let angle = (f64::from(quarters) * FRAC_PI_2) as f32;
+        for near in [angle.next_down().max(0.0), angle, angle.next_up()] {
+            check(near);
+        }
+    }
+    for angle in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 1_048_576.0, -1_048_576.0] {
+        assert_eq!(Axis::from_radians(angle), None);
+    }
+    assert!(Axis::from_radians(1_048_576f32.next_down()).is_some());
+}
+
+#[test]
+fn vectors_turn_by_directions() {
+    let exact = |c: i32, x: i32, s: i32, y: i32| {
+        let sum = i128::from(c) * i128::from(x) + i128::from(s) * i128::from(y);
+        let size = (2 * sum.abs() + (1 << 30)) >> 31;
+        (if sum < 0 { -size } else { size }).clamp(-i128::from(i32::MAX), i128::from(i32::MAX)) as i32
+    };
+    let ends = [0, 1, -1, 2, 3, 1 << 16, -(1 << 16) + 1, 1 << 29, i32::MAX, i32::MIN, i32::MIN + 1];
+    for t in (0..1 << 16).step_by(509) {
+        let unit = Axis::from_turns(Fx::from_bits(t)).unit();
+        let (c, s) = unit.raw();
+        for x in ends {
+            for y in ends {
+                assert_eq!(unit.rotate(raw(x, y)), raw(exact(c, x, -s, y), exact(s, x, c, y)), "{t}: {x} {y}");
+            }
+        }
+    }
+}
+
 fn polygon(points: &[Point]) -> Result<ConvexPolygon<6>, PolygonError> {
     ConvexPolygon::new(&points.iter().map(|p| vec2(*p)).collect::<Vec<_>>())
 }

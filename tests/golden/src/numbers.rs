@@ -91,6 +91,15 @@ fn vectors(run: &mut Run<'_>) {
     });
 }
 
+fn angles(run: &mut Run<'_>) {
+    run.family("angles", VECTORS, ["directions", "turned"], |_, r, [directions, turned]| {
+        let bits = r.word() as i32;
+        directions.add([Axis::from_turns(Fx::from_bits(bits)), Axis::from_turns(Fx::from_bits(bits >> 15))]);
+        directions.add([bits, bits >> 3].map(|bits| Axis::from_radians(f32::from_bits(bits as u32))));
+        turned.add(axis(r).unit().rotate(Vec2::from_raw(r.word() as i32, bits)));
+    });
+}
+
 fn fractions(run: &mut Run<'_>) {
     run.family("fractions", VECTORS, ["ratio", "ratio_of", "toi"], |_, r, [ratio, of, toi]| {
         let (num, den) = (word(r), word(r));
@@ -108,5 +117,6 @@ fn fractions(run: &mut Run<'_>) {
 pub(crate) fn run(run: &mut Run<'_>) {
     words(run);
     vectors(run);
+    angles(run);
     fractions(run);
 }

@@ -101,9 +101,12 @@ fn vectors() {
         |a: Axis| -a;
         |a: Axis| a.is_zero();
         |a: Axis| a.unit();
+        |turns: Fx| Axis::from_turns(turns);
+        |angle: f32| Axis::from_radians(angle);
         |a: Axis| a.length_squared();
         |u: UnitVec2| (u.x(), u.y(), u.raw());
         |u: UnitVec2, length: Fx| u.scaled(length);
+        |u: UnitVec2, v: Vec2| u.rotate(v);
         |u: UnitVec2| u.to_f32();
     }
 }
