@@ -20,3 +20,15 @@ pub(crate) fn write8(address: u32, value: u8) {
     // SAFETY: see above.
     unsafe { (address as *mut u8).write_volatile(value) }
 }
+
+#[inline(always)]
+pub(crate) fn read32(address: u32) -> u32 {
+    // SAFETY: see above. Every caller aligns it to a word.
+    unsafe { (address as *const u32).read_volatile() }
+}
+
+#[inline(always)]
+pub(crate) fn write32(address: u32, value: u32) {
+    // SAFETY: see above. Every caller aligns it to a word.
+    unsafe { (address as *mut u32).write_volatile(value) }
+}

@@ -13,7 +13,7 @@ use crowd::Crowd;
 use tilesat_games::ninja::{Keys, Ninja};
 use tilesat_gba::cycles::{self, FRAME};
 use tilesat_gba::pad::{Key, Pad};
-use tilesat_gba::{entry, println, screen, stack};
+use tilesat_gba::{entry, println, sample, screen, stack};
 
 entry!(main);
 
@@ -63,8 +63,10 @@ fn play() -> Result<(), &'static str> {
         }
         let run = i32::from(pad.is_down(Key::Right)) - i32::from(pad.is_down(Key::Left));
         cycles::start();
+        sample::resume();
         ninja.step(&level, Keys { run, jump: pad.is_down(Key::A) }).map_err(|_| "the ninja cannot move")?;
         crowd.step(&level).map_err(|_| "a body cannot move")?;
+        sample::pause();
         let collision = cycles::stop();
         hash = crowd.hash(hash);
 
@@ -78,6 +80,7 @@ fn play() -> Result<(), &'static str> {
     }
     let Cost { frames, sum, most, late } = cost;
     let mean = sum / u64::from(frames.max(1));
+    sample::print();
     let stack = stack::used().0;
     println!("bodies={count} frames={frames} mean={mean} most={most} late={late} stack={stack} hash={hash:08x}");
     Ok(())
