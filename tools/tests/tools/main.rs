@@ -24,6 +24,7 @@ mod messages;
 mod objects;
 mod outputs;
 mod play;
+mod played;
 mod rooms;
 mod shapes;
 mod stamps;
