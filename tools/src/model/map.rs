@@ -25,6 +25,8 @@ pub struct Map {
     pub place: Option<Place>,
     /// Whether its name and classes come from `LDtk`, which names values instead of layers.
     pub values: bool,
+    /// For the user: what was read otherwise than the file suggests.
+    pub notes: Vec<String>,
 }
 
 /// The content of a cell.
@@ -35,6 +37,8 @@ pub enum Placed {
         tileset: usize,
         id: u32,
         flip: Flip,
+        /// Its picture is moved by this from the usual corner.
+        moved: Spot,
     },
     /// A value of an `IntGrid` layer.
     Value {

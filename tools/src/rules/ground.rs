@@ -145,7 +145,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     ground.doubts = doubts;
     ground.applied = ledger.0;
     ground.ignored = ignored;
-    ground.notes.splice(0..0, notes);
+    ground.notes.splice(0..0, map.notes.iter().cloned().chain(notes));
     Ok(ground)
 }
 

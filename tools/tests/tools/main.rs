@@ -14,6 +14,7 @@ mod drawn;
 mod formats;
 mod hostile;
 mod large;
+mod ldtk;
 mod level;
 mod limits;
 mod lint;

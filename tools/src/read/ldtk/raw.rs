@@ -38,6 +38,10 @@ pub(super) struct LayerDefinition {
     pub(super) parallax_x: f64,
     #[serde(rename = "parallaxFactorY")]
     pub(super) parallax_y: f64,
+    #[serde(rename = "tilePivotX")]
+    pub(super) pivot_x: f64,
+    #[serde(rename = "tilePivotY")]
+    pub(super) pivot_y: f64,
     #[serde(rename = "intGridValues")]
     pub(super) values: Vec<Named>,
 }

@@ -57,6 +57,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
         layers: reader.layers,
         place: None,
         values: false,
+        notes: Vec::new(),
     };
     Ok((read, map.infinite))
 }

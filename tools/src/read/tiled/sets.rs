@@ -8,7 +8,7 @@ use super::objects::{Templates, alignment, of_tile, shape};
 use super::{raw, tags};
 use crate::model::flip::Flip;
 use crate::model::map::Placed;
-use crate::model::object::Object;
+use crate::model::object::{Object, Spot};
 use crate::model::tileset::{Tile, Tileset};
 use crate::read::file::Files;
 use crate::read::json;
@@ -121,7 +121,12 @@ impl Sets {
         }
         let tile = self.tile(gid)?;
         let place = self.palette.len() as u32;
-        self.palette.push(tile.map_or(Placed::Nothing, |(tileset, id, flip)| Placed::Tile { tileset, id, flip }));
+        self.palette.push(tile.map_or(Placed::Nothing, |(tileset, id, flip)| Placed::Tile {
+            tileset,
+            id,
+            flip,
+            moved: Spot::default(),
+        }));
         self.places.insert(gid, place);
         Ok(place)
     }
