@@ -30,5 +30,6 @@ mod rooms;
 mod shapes;
 mod stamps;
 mod support;
+mod unused;
 mod weld;
 mod worlds;

@@ -64,6 +64,11 @@ pub(super) fn object(entity: &raw::Entity, id: u32, side: u16, ids: &mut Ids) ->
     }
 }
 
+/// The values of all fields, one after another.
+pub(super) fn fields(fields: &[raw::Field], ids: &mut Ids) -> Properties {
+    Properties(fields.iter().flat_map(|field| values(field, ids)).collect())
+}
+
 /// The values of a field: a list has several, and a field without a value none.
 fn values(field: &raw::Field, ids: &mut Ids) -> Vec<(String, Value)> {
     let value = |value: &serde_json::Value| match value {

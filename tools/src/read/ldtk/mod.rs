@@ -13,7 +13,7 @@ use super::json;
 use crate::model::map::{Content, Layer, Map, Place, Placed, Tiles};
 use crate::model::property::Value;
 use crate::model::tileset::{Tile, Tileset};
-use entities::{Ids, object};
+use entities::{Ids, fields, object};
 use tiles::{Palette, Set};
 
 type Result<T> = std::result::Result<T, String>;
@@ -139,6 +139,7 @@ impl Reader<'_> {
             let apart: raw::Level =
                 json::parse(&bytes).map_err(|why| of_file(format!("not a level of LDtk: {why}")))?;
             level.layer_instances = apart.layer_instances;
+            level.field_instances = apart.field_instances;
         }
         let layers = level.layer_instances.ok_or("its layers are neither here nor in a separate file")?;
         let mut palette = Palette::new();
@@ -191,6 +192,7 @@ impl Reader<'_> {
             layers: read,
             place: (world.is_some() && place.width > 0).then_some(place),
             values: true,
+            properties: vec![("the level".to_owned(), fields(&level.field_instances, &mut self.ids))],
             notes,
         })
     }

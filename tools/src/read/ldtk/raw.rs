@@ -86,6 +86,7 @@ pub(super) struct Level {
     pub(super) px_hei: u32,
     /// The file of the layers, if they are not here.
     pub(super) external_rel_path: Option<String>,
+    pub(super) field_instances: Vec<Field>,
     pub(super) layer_instances: Option<Vec<Layer>>,
 }
 

@@ -17,6 +17,7 @@ use super::json;
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Tiles};
 use crate::model::object::Spot;
+use crate::model::property::Properties;
 use data::{Form, MAX_CELLS};
 use sets::Sets;
 pub(super) use world::read as world;
@@ -40,8 +41,17 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     drop(bytes);
     let tile = side(&map)?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut reader =
-        Reader { sets: Sets::new(), layers: Vec::new(), cells: 0, tile, infinite: map.infinite, folder, files };
+    let properties = vec![("the map".to_owned(), map.properties.0)];
+    let mut reader = Reader {
+        sets: Sets::new(),
+        layers: Vec::new(),
+        properties,
+        cells: 0,
+        tile,
+        infinite: map.infinite,
+        folder,
+        files,
+    };
     for set in map.tilesets {
         reader.sets.add(set, folder, reader.files)?;
     }
@@ -57,6 +67,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
         layers: reader.layers,
         place: None,
         values: false,
+        properties: reader.properties,
         notes: Vec::new(),
     };
     Ok((read, map.infinite))
@@ -96,6 +107,8 @@ struct Around {
 struct Reader<'a> {
     sets: Sets,
     layers: Vec<Layer>,
+    /// Of the map and its groups.
+    properties: Vec<(String, Properties)>,
     /// The cells in all layers so far.
     cells: u64,
     tile: u16,
@@ -118,6 +131,7 @@ impl Reader<'_> {
                 let own = [&layer.name, &layer.class].into_iter().chain(&marks).filter(|name| !name.is_empty());
                 let says = around.says.iter().chain(own).cloned().collect();
                 let around = Around { offset, hidden, parallax, says };
+                self.properties.push((format!("group '{name}'"), layer.properties.0));
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
             "tilelayer" => Content::Tiles(
@@ -145,8 +159,8 @@ impl Reader<'_> {
             return Err(format!("more than {MAX_LAYERS} layers"));
         }
         let groups = around.says.clone();
-        let (name, class) = (layer.name, layer.class);
-        self.layers.push(Layer { name, class, marks, groups, offset, hidden, parallax, content });
+        let (name, class, properties) = (layer.name, layer.class, layer.properties.0);
+        self.layers.push(Layer { name, class, properties, marks, groups, offset, hidden, parallax, content });
         Ok(())
     }
 

@@ -31,6 +31,8 @@ pub(super) struct Map {
     pub(super) tilesets: Vec<Tileset>,
     #[serde(deserialize_with = "lax::given")]
     pub(super) layers: Vec<Layer>,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) properties: Listed,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -68,6 +70,8 @@ pub(super) struct Tileset {
     pub(super) objectalignment: String,
     #[serde(deserialize_with = "lax::given")]
     pub(super) tiles: Tiles,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) properties: Listed,
     /// Before Tiled 1.2, properties and classes were separate from the tiles.
     pub(super) tileproperties: BTreeMap<u32, Listed>,
 }

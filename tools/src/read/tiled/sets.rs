@@ -206,6 +206,7 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
             other => return Err(of_set(format!("fillmode '{other}' is unknown"))),
         },
         image: path(set.image),
+        properties: set.properties.0,
         tiles,
     })
 }
