@@ -23,6 +23,7 @@ mod lint_cases;
 mod lint_geometry;
 mod messages;
 mod objects;
+mod old_files;
 mod outputs;
 mod play;
 mod played;

@@ -148,6 +148,7 @@ impl Reader<'_> {
         // LDtk lists the uppermost layer first.
         for layer in layers.iter().rev() {
             let of_layer = |why: String| format!("layer '{}': {why}", layer.name);
+            self.known(layer).map_err(of_layer)?;
             let definition = self.definitions.layers.iter().find(|definition| definition.uid == layer.definition);
             if layer.form == "Entities" {
                 // Only the points of fields need the side of a cell.
@@ -197,13 +198,35 @@ impl Reader<'_> {
         })
     }
 
+    /// Refuses a layer that would lose its content.
+    fn known(&self, layer: &raw::Layer) -> Result<()> {
+        if !matches!(layer.form.as_str(), "IntGrid" | "Entities" | "Tiles" | "AutoLayer") {
+            return Err(format!(
+                "its type '{}' is unknown; the types are IntGrid, Entities, Tiles and AutoLayer",
+                layer.form
+            ));
+        }
+        let mut tiles = layer.tiles.iter().chain(&layer.auto).peekable();
+        if layer.tileset.is_none() && tiles.peek().is_some() {
+            return Err("it has tiles, and no tileset: choose one in LDtk, and save the project".to_owned());
+        }
+        if tiles.any(|tile| tile.t.is_none()) {
+            return Err(self.too_old("its tiles have no t"));
+        }
+        Ok(())
+    }
+
+    fn too_old(&self, what: &str) -> String {
+        let by = self.version.map_or_else(|| "an old LDtk".to_owned(), |version| format!("LDtk {version}"));
+        format!("{what}: saved by {by}: open it in a newer one, and save it")
+    }
+
     fn values(&self, layer: &raw::Layer, tile: u16, palette: &mut Palette) -> Result<Layer> {
         let (width, height) = (layer.width.0 as u32, layer.height.0 as u32);
         if layer.values.len() as u64 != u64::from(width) * u64::from(height) {
             // Before intGridCsv, LDtk listed only the cells with a value.
             if layer.values.is_empty() {
-                let by = self.version.map_or_else(|| "an old LDtk".to_owned(), |version| format!("LDtk {version}"));
-                return Err(format!("it has no intGridCsv: saved by {by}: open it in a newer one, and save it"));
+                return Err(self.too_old("it has no intGridCsv"));
             }
             return Err(format!("{} values for {width}x{height} cells", layer.values.len()));
         }
@@ -239,7 +262,7 @@ impl Reader<'_> {
 /// Whether the editor shows the layer, and whether it scrolls against others.
 fn show(read: &mut [Layer], layer: &raw::Layer, definition: Option<&raw::LayerDefinition>) {
     for read in read {
-        read.hidden = layer.visible == Some(false);
+        read.hidden = layer.visible == Some(false) || layer.opacity == Some(0.0);
         read.parallax = definition.is_some_and(|of| (of.parallax_x, of.parallax_y) != (0.0, 0.0));
     }
 }

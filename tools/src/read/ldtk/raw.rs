@@ -96,6 +96,8 @@ pub(super) struct Layer {
     #[serde(rename = "__type")]
     pub(super) form: String,
     pub(super) visible: Option<bool>,
+    #[serde(rename = "__opacity")]
+    pub(super) opacity: Option<f64>,
     #[serde(rename = "__identifier")]
     pub(super) name: String,
     #[serde(rename = "__cWid")]
@@ -129,8 +131,8 @@ pub(super) struct Tile {
     pub(super) px: (i32, i32),
     /// Bit 0 flips left and right, bit 1 flips top and bottom.
     pub(super) f: u8,
-    /// Its id.
-    pub(super) t: u32,
+    /// Its id. Before 0.6 it was in another member.
+    pub(super) t: Option<u32>,
 }
 
 #[derive(Debug, Default, Deserialize)]

@@ -85,16 +85,19 @@ pub(super) fn read(
     let documented = [pivot.0, pivot.1].map(|of| Decimal::from_f64(room.to_f64() * of));
     let mut elsewhere = 0;
     for placed in tiles {
-        let (x, y) = (placed.px.0.div_euclid(side), placed.px.1.div_euclid(side));
-        // Rules of auto layers can draw tiles that cross the border.
-        if x < 0 || y < 0 || x as u32 >= width || y as u32 >= height {
+        // Rules can draw tiles between the cells, and beyond the border, where LDtk cuts them off.
+        let (Some(x), Some(y)) =
+            (column(placed.px.0, side, width, set.side), column(placed.px.1, side, height, set.side))
+        else {
             continue;
-        }
+        };
         let cell = y as usize * width as usize + x as usize;
         let flip = Flip { diagonal: false, horizontal: placed.f & 1 != 0, vertical: placed.f & 2 != 0 };
         let corner = drawing.corner(flip);
         elsewhere += usize::from([corner.0, corner.1] != documented);
-        let place = entry(palette, set.index, placed.t, flip, corner);
+        let between = |px: i32, at: i32| Decimal::whole(i64::from(px) - i64::from(at) * i64::from(side));
+        let moved = (corner.0 + between(placed.px.0, x), corner.1 + between(placed.px.1, y));
+        let place = entry(palette, set.index, placed.t.unwrap_or_default(), flip, moved);
         match piles.iter().position(|pile| pile.cells[cell] == 0) {
             Some(pile) => piles[pile].cells[cell] = place,
             None if piles.len() < most => {
@@ -123,6 +126,14 @@ pub(super) fn read(
     }
     let offset = (layer.x.into(), layer.y.into());
     piles.into_iter().map(|pile| Layer::plain(&layer.name, offset, Content::Tiles(pile))).collect()
+}
+
+/// The column, or the row, of a tile at this pixel: the nearest one of the layer. `None` if no part
+/// of the tile is in the layer.
+fn column(px: i32, side: i32, count: u32, tile: u32) -> Option<i32> {
+    let (at, end) = (i64::from(px), i64::from(side) * i64::from(count));
+    let seen = at + i64::from(tile) > 0 && at < end && count > 0;
+    seen.then(|| px.div_euclid(side).clamp(0, count as i32 - 1))
 }
 
 /// The index of a tile in the palette.

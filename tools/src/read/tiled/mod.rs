@@ -26,6 +26,8 @@ type Result<T> = std::result::Result<T, String>;
 
 /// Sides of a cell that the library accepts, in pixels.
 const SIDES: std::ops::RangeInclusive<u32> = 1..=256;
+/// Columns and rows are at most this far from the origin: their pixels stay below 2^30.
+const FARTHEST: i64 = 1 << 22;
 /// The most layers in a map, with those of groups.
 const MAX_LAYERS: usize = 1000;
 
@@ -95,6 +97,20 @@ fn side(map: &raw::Map) -> Result<u16> {
     Ok(width as u16)
 }
 
+/// The first column and row of tiles that are moved by so many.
+fn placed(tiles: &Tiles, by: (i32, i32)) -> Result<(i32, i32)> {
+    let along = |at: i32, by: i32, count: u32| {
+        let start = i64::from(at) + i64::from(by);
+        let inside = start >= -FARTHEST && start + i64::from(count) <= FARTHEST;
+        i32::try_from(start).ok().filter(|_| inside)
+    };
+    let moved = along(tiles.at.0, by.0, tiles.width).zip(along(tiles.at.1, by.1, tiles.height));
+    moved.ok_or_else(|| {
+        let (x, y) = (i64::from(tiles.at.0) + i64::from(by.0), i64::from(tiles.at.1) + i64::from(by.1));
+        format!("it begins in column {x}, row {y}: move it nearer, columns and rows stay below {FARTHEST}")
+    })
+}
+
 /// The settings of the groups around a layer.
 #[derive(Default)]
 struct Around {
@@ -122,7 +138,7 @@ impl Reader<'_> {
         let name = layer.name.clone();
         let of_layer = |why: String| format!("layer '{name}': {why}");
         let offset = (around.offset.0 + layer.offsetx.0, around.offset.1 + layer.offsety.0);
-        let hidden = around.hidden || !layer.visible;
+        let hidden = around.hidden || !layer.visible || layer.opacity.0 == Decimal::ZERO;
         let moves = |factor: raw::Number| factor.0 != Decimal::whole(1);
         let parallax = around.parallax || moves(layer.parallaxx) || moves(layer.parallaxy);
         let marks: Vec<String> = layer.properties.0.marks().map(str::to_owned).collect();
@@ -134,19 +150,17 @@ impl Reader<'_> {
                 self.properties.push((format!("group '{name}'"), layer.properties.0));
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
-            "tilelayer" => Content::Tiles(
-                self.tiles(
-                    layer.data,
-                    layer.chunks,
-                    &Form {
-                        width: layer.width,
-                        height: layer.height,
-                        encoding: layer.encoding.as_deref(),
-                        compression: layer.compression.as_deref(),
-                    },
-                )
-                .map_err(of_layer)?,
-            ),
+            "tilelayer" => {
+                let form = Form {
+                    width: layer.width,
+                    height: layer.height,
+                    encoding: layer.encoding.as_deref(),
+                    compression: layer.compression.as_deref(),
+                };
+                let mut tiles = self.tiles(layer.data, layer.chunks, &form).map_err(of_layer)?;
+                tiles.at = placed(&tiles, (layer.x, layer.y)).map_err(of_layer)?;
+                Content::Tiles(tiles)
+            }
             "objectgroup" => {
                 let objects = layer.objects.into_iter();
                 let read = objects.map(|object| self.sets.object(object, self.folder, self.files));

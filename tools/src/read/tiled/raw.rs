@@ -136,6 +136,12 @@ pub(super) struct Layer {
     pub(super) offsety: Number,
     pub(super) parallaxx: Number,
     pub(super) parallaxy: Number,
+    pub(super) opacity: Number,
+    /// In cells. Tiled reads them, and has written 0 for years.
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) x: i32,
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) y: i32,
     #[serde(deserialize_with = "lax::whole")]
     pub(super) width: u32,
     #[serde(deserialize_with = "lax::whole")]
@@ -165,6 +171,9 @@ impl Default for Layer {
             offsety: Number::default(),
             parallaxx: one,
             parallaxy: one,
+            opacity: one,
+            x: 0,
+            y: 0,
             width: 0,
             height: 0,
             encoding: None,

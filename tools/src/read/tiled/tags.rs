@@ -206,7 +206,9 @@ fn layer(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Option<Layer>> {
     };
     read.parallaxx = decimal(xml, tag, "parallaxx")?.unwrap_or(read.parallaxx);
     read.parallaxy = decimal(xml, tag, "parallaxy")?.unwrap_or(read.parallaxy);
+    read.opacity = decimal(xml, tag, "opacity")?.unwrap_or(read.opacity);
     if form == "tilelayer" {
+        (read.x, read.y) = (number(xml, tag, "x")?, number(xml, tag, "y")?);
         (read.width, read.height) = (number(xml, tag, "width")?, number(xml, tag, "height")?);
     }
     while let Some(tag) = xml.child()? {
