@@ -1,4 +1,5 @@
 //! The pictures of `tilesat play`, and where its player starts.
+#![allow(clippy::cast_precision_loss, reason = "pixels of a picture are few")]
 
 use std::path::Path;
 

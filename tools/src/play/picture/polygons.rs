@@ -11,11 +11,13 @@ use crate::play::walls::Walls;
 
 /// The ends of a row's solid, in raw units.
 type Span = (f64, f64);
+/// The ends of a border, in raw units.
+type Border = ((f64, f64), (f64, f64));
 
 /// Fills the polygons, row by row of the picture. Equal rows are one mark.
 pub(super) fn fill(scene: &mut Scene, bytes: &[u8], level: &Level) {
     let walls = Walls::new(bytes);
-    let edges: Vec<((f64, f64), (f64, f64))> =
+    let edges: Vec<Border> =
         walls.borders().map(|(a, b)| ((a.0 as f64, a.1 as f64), (b.0 as f64, b.1 as f64))).collect();
     let (left, top) = (f64::from(level.origin.0), f64::from(level.origin.1));
     let right = left + f64::from(scene.level.0) * 65536.0;
@@ -39,7 +41,7 @@ pub(super) fn fill(scene: &mut Scene, bytes: &[u8], level: &Level) {
 }
 
 /// The solid at this height, between two sides.
-fn spans(edges: &[((f64, f64), (f64, f64))], y: f64, (left, right): Span) -> Vec<Span> {
+fn spans(edges: &[Border], y: f64, (left, right): Span) -> Vec<Span> {
     let crossed = edges.iter().filter(|(a, b)| (a.1 <= y) != (b.1 <= y));
     let mut crossings: Vec<(f64, i32)> =
         crossed.map(|&(a, b)| (a.0 + (y - a.1) * (b.0 - a.0) / (b.1 - a.1), if a.1 <= y { -1 } else { 1 })).collect();
