@@ -46,6 +46,19 @@ fn layers_far_away_are_refused() {
 }
 
 #[test]
+fn tiles_larger_than_images_are_refused() {
+    let text = rows(&["##"]).replace("name=\"t\" tilewidth=\"16\"", "name=\"t\" tilewidth=\"4194303\"");
+    let why = refused("wide.tmx", &text);
+    assert!(why.contains("tileset 't': tiles of 4194303x16 pixels; a side has at most 65536"), "{why}");
+    let layer = r#""__type":"Tiles","__tilesetDefUid":1,"gridTiles":[{"px":[0,0],"src":[0,0],"f":0,"t":1}]"#;
+    let why = refused("wide.ldtk", &project(layer).replace("\"tileGridSize\":16", "\"tileGridSize\":4194303"));
+    assert!(why.contains("layer 'L': tiles of 4194303 pixels; a side has at most 65536"), "{why}");
+    let own = r#"<tile id="0" type="Solid"><image source="a.png" width="16" height="70000"/></tile>"#;
+    let why = refused("high.tmx", &rows(&["##"]).replace(r#"<tile id="0" type="Solid"/>"#, own));
+    assert!(why.contains("tileset 't': tiles of 16x70000 pixels"), "{why}");
+}
+
+#[test]
 fn layers_that_nobody_sees_are_noted() {
     let text = rows(&["...", "###"]);
     for (from, to) in

@@ -20,6 +20,9 @@ const MAX_SETS: usize = 1000;
 /// The greatest id of a tile, and the most described tiles in all tilesets of a map.
 const MAX_TILES: u32 = 1 << 20;
 
+/// The longest side of a tile, in pixels. Images are smaller.
+const MAX_SIDE: u32 = 1 << 16;
+
 const HORIZONTAL: u32 = 1 << 31;
 const VERTICAL: u32 = 1 << 30;
 const DIAGONAL: u32 = 1 << 29;
@@ -164,6 +167,11 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     if set.tilecount.is_some_and(|count| count > MAX_TILES) {
         return Err(of_set(format!("more than {MAX_TILES} tiles")));
     }
+    let fits = |width: u32, height: u32| match width.max(height) {
+        0..=MAX_SIDE => Ok(()),
+        _ => Err(of_set(format!("tiles of {width}x{height} pixels; a side has at most {MAX_SIDE}"))),
+    };
+    fits(set.tilewidth, set.tileheight)?;
     let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));
     let along = |length: u32, tile: u32| {
         let step = u64::from(tile) + u64::from(set.spacing);
@@ -178,6 +186,7 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     let mut tiles = HashMap::new();
     for tile in set.tiles.0 {
         let part = tile.part();
+        fits(part.size.0, part.size.1)?;
         let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
         let shapes = shapes
             .into_iter()
