@@ -127,7 +127,8 @@ impl Baked {
     /// Drawings that are in no output.
     pub fn unused(&self) -> Vec<String> {
         let silent = self.left_out(|object| !object.is_listed() && !object.suspicious);
-        silent.into_iter().chain(things::lost(&self.ground.left_out)).collect()
+        let lost = things::lost(&self.ground.left_out);
+        silent.into_iter().chain(lost).chain(self.ground.unused.iter().cloned()).collect()
     }
 
     /// Bytes of tiles, of the table of kinds and of segments.

@@ -10,7 +10,7 @@ use tilesat::{
 
 use super::report::{self, Class, Owner};
 use crate::picture::ink::{COIN, CONTACT, EARTH, EDGE, FAINT, Ink, NIGHT, PLANK, SLIDE, TEXT, TOP};
-use crate::picture::marks::{Mark, Scene, Spot};
+use crate::picture::marks::{Scene, Spot};
 use crate::picture::surface;
 
 /// The greatest side of a picture, in output pixels.
@@ -167,14 +167,7 @@ pub(crate) fn rays<W: World>(scene: &mut Scene, world: &W, grid: Grid, cast: imp
 
 /// Moves the level into the picture and adds lines of text below it.
 pub(crate) fn finish(scene: &mut Scene, origin: Spot, lines: &[String]) {
-    let move_by = |p: &mut Spot| *p = (p.0 - origin.0, p.1 - origin.1);
-    for mark in &mut scene.marks {
-        match mark {
-            Mark::Rect { at, .. } | Mark::Text { at, .. } => move_by(at),
-            Mark::Disc { centre, .. } | Mark::Ring { centre, .. } => move_by(centre),
-            Mark::Poly { points, .. } | Mark::Line { points, .. } => points.iter_mut().for_each(move_by),
-        }
-    }
+    scene.shift(0, (-origin.0, -origin.1));
     let unit = scene.unit;
     let mut pen = (10.0 * unit, scene.level.1 + 4.0 * unit);
     for line in lines {

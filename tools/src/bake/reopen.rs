@@ -17,6 +17,18 @@ pub struct Reopened {
     pub tiles: Option<Level>,
     /// The bytes of a segment map.
     pub segments: Option<Vec<u8>>,
+    /// Those that are not solid.
+    pub objects: Vec<Entry>,
+}
+
+/// An object in the source.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    pub id: u32,
+    pub class: String,
+    pub name: String,
+    /// Its smallest and its largest corner, raw.
+    pub area: [(i64, i64); 2],
 }
 
 type Made<T> = std::result::Result<T, String>;
@@ -113,7 +125,20 @@ fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reo
         Some(bytes) => Some(bytes),
         None => paths(lines)?,
     };
-    Ok(Reopened { name: name.to_owned(), tiles, segments })
+    let objects = lines.iter().filter_map(|line| entry(line)).collect();
+    Ok(Reopened { name: name.to_owned(), tiles, segments, objects })
+}
+
+/// `Object { id: 1, class: "", name: "spawn", area: area(0, 0, 0, 0), points: ..`. Texts with
+/// escapes stay as they are.
+fn entry(line: &str) -> Option<Entry> {
+    let (id, rest) = line.strip_prefix("Object { id: ")?.split_once(", class: \"")?;
+    let (class, rest) = rest.split_once("\", name: \"")?;
+    let (name, rest) = rest.split_once("\", area: area(")?;
+    let sides: Vec<i64> = rest.split(')').next()?.split(", ").filter_map(|side| side.parse().ok()).collect();
+    let [x, y, right, bottom] = sides[..] else { return None };
+    let (class, name) = (class.to_owned(), name.to_owned());
+    Some(Entry { id: id.parse().ok()?, class, name, area: [(x, y), (right, bottom)] })
 }
 
 fn constant(lines: &[&str], name: &str) -> Option<u16> {

@@ -56,6 +56,9 @@ fn job(program: &Program, options: Options, out: &mut dyn Write, err: &mut dyn W
         Outputs::check(file, &files)?;
     }
     let run = play::play(&arena, options.frames, options.seed, err).map_err(of_file)?;
+    if let Some((spawn, _)) = arena.spawn.as_ref().filter(|_| !run.at_spawn) {
+        tell(out, &format!("note    {}: the player has no room there, and starts elsewhere", spawn.title));
+    }
     let s = run.score;
     tell(
         out,
@@ -119,6 +122,10 @@ fn describe(path: &Path, arena: &Arena, out: &mut dyn Write) {
     tell(out, &format!("layer   {}: {solid} solid and {one_way} one-way tiles", level.layer));
     if let Some(map) = arena.segments.as_ref().and_then(|bytes| SegmentMap::from_bytes(bytes).ok()) {
         tell(out, &format!("objects {} segments", map.count()));
+    }
+    if let Some((spawn, others)) = &arena.spawn {
+        let more = if *others > 0 { format!(", the first of {}", others + 1) } else { String::new() };
+        tell(out, &format!("player  starts at {}{more}", spawn.title));
     }
     let flags: Vec<String> = level.flags.iter().enumerate().map(|(bit, name)| format!("{name} = bit {bit}")).collect();
     let flags = if flags.is_empty() { "none".to_owned() } else { flags.join(", ") };

@@ -31,7 +31,8 @@ impl Default for Program {
 
 const ABOUT: &str = "
 Plays a level with one scripted player and 32 boxes and balls, and checks every
-body in every frame against an independent exact overlap test.
+body in every frame against an independent exact overlap test. The player starts
+at an object whose name or class is spawn, player or PlayerStart, if there is one.
 ";
 
 const BAKED: &str = "LEVEL may also be a file that tilesat bake has written (.rs, .bin). Of several levels,

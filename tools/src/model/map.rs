@@ -5,6 +5,7 @@ use std::rc::Rc;
 use super::decimal::Decimal;
 use super::flip::Flip;
 use super::object::{Object, Spot};
+use super::property::Properties;
 use super::tileset::Tileset;
 
 /// A level as drawn.
@@ -25,6 +26,10 @@ pub struct Map {
     pub place: Option<Place>,
     /// Whether its name and classes come from `LDtk`, which names values instead of layers.
     pub values: bool,
+    /// Its own properties and those of its groups, tilesets and world, each with their owner.
+    pub properties: Vec<(String, Properties)>,
+    /// For the user: what was read otherwise than the file suggests.
+    pub notes: Vec<String>,
 }
 
 /// The content of a cell.
@@ -35,6 +40,8 @@ pub enum Placed {
         tileset: usize,
         id: u32,
         flip: Flip,
+        /// Its picture is moved by this from the usual corner.
+        moved: Spot,
     },
     /// A value of an `IntGrid` layer.
     Value {
@@ -61,7 +68,8 @@ pub struct Place {
 pub struct Layer {
     pub name: String,
     pub class: String,
-    /// The names of its true properties.
+    pub properties: Properties,
+    /// The names of the true ones.
     pub marks: Vec<String>,
     /// Names, classes and true properties of the groups around it.
     pub groups: Vec<String>,
@@ -111,8 +119,8 @@ impl Layer {
     pub fn plain(name: &str, offset: (i64, i64), content: Content) -> Self {
         let offset = (Decimal::whole(offset.0), Decimal::whole(offset.1));
         let (name, class) = (name.to_owned(), String::new());
-        let (marks, groups) = (Vec::new(), Vec::new());
-        Self { name, class, marks, groups, offset, hidden: false, parallax: false, content }
+        let (properties, marks, groups) = (Properties::default(), Vec::new(), Vec::new());
+        Self { name, class, properties, marks, groups, offset, hidden: false, parallax: false, content }
     }
 
     /// The tiles, if it has any.

@@ -28,6 +28,7 @@ pub struct Tileset {
     /// Whether a picture that is drawn at another size keeps its aspect, in the middle.
     pub keeps_aspect: bool,
     pub image: Option<PathBuf>,
+    pub properties: Properties,
     /// The tiles with more data than their picture.
     pub tiles: HashMap<u32, Tile>,
 }

@@ -26,7 +26,7 @@ pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Opt
         let Some(tiles) = layer.tiles() else { continue };
         let offset = (layer.offset.0.to_f64() as f32, layer.offset.1.to_f64() as f32);
         for (x, y, cell) in tiles.drawn() {
-            let Placed::Tile { tileset, id, flip } = &map.palette[cell as usize] else { continue };
+            let Placed::Tile { tileset, id, flip, moved } = &map.palette[cell as usize] else { continue };
             let Some((source, from, size)) = sources.tile(map, *tileset, *id) else { continue };
             let side = f32::from(tiles.tile);
             let set = &map.tilesets[*tileset];
@@ -47,8 +47,9 @@ pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Opt
             let drawn = set.offset;
             // The offset is scaled with the picture.
             let scaled = |by: i32, to: f32, from: u32| by as f32 * to / from.max(1) as f32;
-            let left = x as f32 * side + right + offset.0 + scaled(drawn.0, wide, size.0);
-            let top = y as f32 * side + down + offset.1 + scaled(drawn.1, high, size.1);
+            let moved = (moved.0.to_f64() as f32, moved.1.to_f64() as f32);
+            let left = x as f32 * side + right + offset.0 + moved.0 + scaled(drawn.0, wide, size.0);
+            let top = y as f32 * side + down + offset.1 + moved.1 + scaled(drawn.1, high, size.1);
             let place = |v: f32, start: f32| v * zoom - start * scene.scale;
             let at = (place(left, start.0), place(top, start.1));
             blit(&mut image, at, (wide * zoom, high * zoom), source, from, size, *flip);

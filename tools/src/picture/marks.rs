@@ -77,6 +77,18 @@ impl Scene {
         Self { level: (width, height), size: (width, height), scale, unit, marks: Vec::new(), backdrop: None }
     }
 
+    /// Moves the marks from this one on.
+    pub fn shift(&mut self, first: usize, by: Spot) {
+        let shifted = |p: &mut Spot| *p = (p.0 + by.0, p.1 + by.1);
+        for mark in self.marks.iter_mut().skip(first) {
+            match mark {
+                Mark::Rect { at, .. } | Mark::Text { at, .. } => shifted(at),
+                Mark::Disc { centre, .. } | Mark::Ring { centre, .. } => shifted(centre),
+                Mark::Poly { points, .. } | Mark::Line { points, .. } => points.iter_mut().for_each(shifted),
+            }
+        }
+    }
+
     /// Adds a filled box.
     pub fn rect(&mut self, at: Spot, size: Spot, fill: Ink) {
         self.marks.push(Mark::Rect { at, size, fill });

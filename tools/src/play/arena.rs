@@ -2,6 +2,7 @@
 
 use tilesat::{Fx, SegmentMap};
 
+use super::spawn::{self, Candidate, Spawn};
 use crate::bake::Baked;
 use crate::bake::level::Level;
 use crate::bake::reopen::Reopened;
@@ -15,11 +16,13 @@ pub struct Arena {
     pub level: Level,
     /// The bytes of a segment map.
     pub segments: Option<Vec<u8>>,
+    /// Where the player starts, if the level says so, and how many other objects say the same.
+    pub spawn: Option<(Spawn, usize)>,
 }
 
 impl From<Level> for Arena {
     fn from(level: Level) -> Self {
-        Self { level, segments: None }.at_origin()
+        Self { level, segments: None, spawn: None }.at_origin()
     }
 }
 
@@ -31,7 +34,7 @@ impl Arena {
     /// If the level is empty, or the library refuses it.
     pub fn of(baked: &Baked) -> Result<Self> {
         let segments = baked.objects.as_ref().map(|(_, bytes, _)| bytes.clone());
-        Self::new(baked.tiles.clone(), segments)
+        Self::new(baked.tiles.clone(), segments, baked.ground.left_out.iter().filter_map(Candidate::of))
     }
 
     /// An arena of a level in a file of the baker.
@@ -40,16 +43,30 @@ impl Arena {
     ///
     /// As [`of`](Self::of).
     pub fn reopened(level: &Reopened) -> Result<Self> {
-        Self::new(level.tiles.clone(), level.segments.clone())
+        let objects = level.objects.iter().map(|object| Candidate {
+            title: format!("object {}", object.id),
+            name: &object.name,
+            class: &object.class,
+            area: object.area,
+        });
+        Self::new(level.tiles.clone(), level.segments.clone(), objects)
     }
 
-    fn new(tiles: Option<Level>, segments: Option<Vec<u8>>) -> Result<Self> {
+    fn new<'a>(
+        tiles: Option<Level>,
+        segments: Option<Vec<u8>>,
+        objects: impl Iterator<Item = Candidate<'a>>,
+    ) -> Result<Self> {
         let level = match (tiles, &segments) {
             (Some(level), _) => level,
             (None, Some(bytes)) => around(bytes)?,
             (None, None) => return Err(Fail::new("it is empty")),
         };
-        Ok(Self { level, segments }.at_origin())
+        let before = level.origin;
+        let mut arena = Self { level, segments, spawn: None }.at_origin();
+        let after = arena.level.origin;
+        arena.spawn = spawn::find(objects, (after.0 - before.0, after.1 - before.1));
+        Ok(arena)
     }
 
     /// The game counts from the first cell. The level's position matters only to segments and to

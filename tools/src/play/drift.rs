@@ -57,6 +57,19 @@ impl Drift {
         Some(Self { actors, dice, frame: 0, hash: 0x811c_9dc5, cell: grid.cell().to_bits(), end })
     }
 
+    /// Puts the player's feet at a point. Returns whether there is room for it.
+    pub(super) fn start_at<W: World>(&mut self, world: &W, feet: Vec2) -> bool {
+        let Shape::Box(own) = self.actors[0].shape else { return false };
+        let half = own.size().raw();
+        let half = Vec2::from_raw(half.0 / 2, half.1 / 2);
+        let Ok(body) = Aabb::from_centre(feet - Vec2::from_raw(0, half.raw().1), half) else { return false };
+        let free = !world.overlaps_aabb(&body);
+        if free {
+            self.actors[0].shape = Shape::Box(body);
+        }
+        free
+    }
+
     pub(super) fn bodies(&self) -> &[Actor; BODIES] {
         &self.actors
     }

@@ -12,6 +12,7 @@ mod meets;
 mod outline;
 pub mod picture;
 mod run;
+mod spawn;
 mod trail;
 mod walls;
 
@@ -19,3 +20,4 @@ pub use arena::Arena;
 pub use figure::Figure;
 pub use flags::{coins, rules};
 pub use run::{Run, play};
+pub use spawn::Spawn;

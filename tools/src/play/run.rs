@@ -5,7 +5,7 @@ use std::io::Write;
 use std::time::{Duration, Instant};
 
 use tilesat::world::{Grid, Outside, ShapeSet, TileMap, World};
-use tilesat::{AllShapes, Blocks, Joined, SegmentMap};
+use tilesat::{AllShapes, Blocks, Joined, SegmentMap, Vec2};
 
 use tilesat_games::platformer::sim::{Actor, BODIES, FrameReport, NoRoom, Score, Shape, Sim};
 
@@ -38,6 +38,8 @@ pub struct Run {
     pub trails: Vec<VecDeque<Point>>,
     /// The cells whose coins are gone, counted row by row.
     pub taken: HashSet<usize>,
+    /// Whether the player started where the level says.
+    pub at_spawn: bool,
 }
 
 impl Run {
@@ -61,19 +63,21 @@ pub fn play(arena: &Arena, frames: u32, seed: u32, err: &mut dyn Write) -> Resul
     let too_large = |e: &dyn std::fmt::Display| Fail::new(format!("the map does not fit: {e}"));
     let grid = level.grid().map_err(|e| too_large(&e))?;
     let checker = Checker::new(level);
+    let feet = arena.spawn.as_ref().map(|(spawn, _)| spawn.feet);
     let Some(bytes) = &arena.segments else {
         // A level of blocks runs code for blocks only, as on a chip.
         if level.origin != (0, 0) {
             let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).map_err(|e| too_large(&e))?;
-            return drift(&map.with_outside(Outside::Solid), grid, &checker, (frames, seed), err);
+            let start = (grid, feet);
+            return drift(&map.with_outside(Outside::Solid), start, &checker, (frames, seed), err);
         }
         let run = if level.is_blocks() { game::<Blocks> } else { game::<AllShapes> };
-        return run(level, &checker, (frames, seed), err);
+        return run((level, feet), &checker, (frames, seed), err);
     };
     let map = TileMap::<AllShapes>::of(&level.tiles, grid, &kinds).map_err(|e| too_large(&e))?;
     let map = map.with_outside(Outside::Solid);
     let segments = SegmentMap::from_bytes(bytes).map_err(|e| Fail::new(format!("the segments: {e}")))?;
-    drift(&Joined::new(&map, &segments), grid, &checker.with_segments(bytes), (frames, seed), err)
+    drift(&Joined::new(&map, &segments), (grid, feet), &checker.with_segments(bytes), (frames, seed), err)
 }
 
 /// The traces of one frame.
@@ -84,7 +88,12 @@ struct Frame {
 }
 
 /// The game, which knows only tiles.
-fn game<S: ShapeSet>(level: &Level, checker: &Checker, (frames, seed): (u32, u32), err: &mut dyn Write) -> Result<Run> {
+fn game<S: ShapeSet>(
+    (level, feet): (&Level, Option<Vec2>),
+    checker: &Checker,
+    (frames, seed): (u32, u32),
+    err: &mut dyn Write,
+) -> Result<Run> {
     let kinds = level.kinds();
     let map = level
         .grid()
@@ -92,12 +101,13 @@ fn game<S: ShapeSet>(level: &Level, checker: &Checker, (frames, seed): (u32, u32
         .map_err(|e| Fail::new(format!("the map does not fit: {e}")))?
         .with_outside(Outside::Solid);
     let mut sim = Sim::new(&map, flags::rules(level), seed).map_err(|NoRoom| no_room())?;
+    let at_spawn = feet.is_some_and(|feet| sim.start_at(&map, feet));
     let start = Frame { report: FrameReport::default(), actors: *sim.bodies(), hash: sim.hash() };
     let mut run = watch(checker, &start, frames, err, || {
         let report = sim.step(&map);
         Frame { report, actors: *sim.bodies(), hash: sim.hash() }
     });
-    run.score = sim.score();
+    (run.score, run.at_spawn) = (sim.score(), at_spawn);
     let coins = flags::coins(level).zip(0..);
     run.taken = coins.filter(|&(_, coin)| sim.collected(coin)).map(|(cell, _)| cell).collect();
     Ok(run)
@@ -106,17 +116,20 @@ fn game<S: ShapeSet>(level: &Level, checker: &Checker, (frames, seed): (u32, u32
 /// Boxes and balls only, in any level.
 fn drift<W: World>(
     world: &W,
-    grid: Grid,
+    (grid, feet): (Grid, Option<Vec2>),
     checker: &Checker,
     (frames, seed): (u32, u32),
     err: &mut dyn Write,
 ) -> Result<Run> {
     let mut drift = Drift::new(world, grid, seed).ok_or_else(no_room)?;
+    let at_spawn = feet.is_some_and(|feet| drift.start_at(world, feet));
     let start = Frame { report: FrameReport::default(), actors: *drift.bodies(), hash: drift.hash() };
-    Ok(watch(checker, &start, frames, err, || {
+    let mut run = watch(checker, &start, frames, err, || {
         let report = drift.step(world);
         Frame { report, actors: *drift.bodies(), hash: drift.hash() }
-    }))
+    });
+    run.at_spawn = at_spawn;
+    Ok(run)
 }
 
 fn no_room() -> Fail {
@@ -137,6 +150,7 @@ fn watch(checker: &Checker, start: &Frame, frames: u32, err: &mut dyn Write, mut
         actors: start.actors.to_vec(),
         trails: vec![VecDeque::new(); BODIES],
         taken: HashSet::new(),
+        at_spawn: false,
     };
     let mut clock = Instant::now();
     for frame in 0..frames {

@@ -42,6 +42,11 @@ impl Walls {
         walls
     }
 
+    /// The ends of the borders of polygons.
+    pub(super) fn borders(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
+        self.edges.iter().map(|edge| (edge.a, edge.b))
+    }
+
     fn add(&mut self, edge: Edge) {
         let index = self.edges.len() as u32;
         let (lo, hi) =

@@ -38,6 +38,8 @@ pub(super) struct Part {
     pub outlines: Vec<Outline>,
     /// Objects for the game, in raw units of the world.
     pub objects: Vec<LeftOut>,
+    /// What no output has.
+    pub unused: Vec<String>,
 }
 
 impl Part {
@@ -80,6 +82,7 @@ impl Part {
             tiles: level.map_or_else(Vec::new, |level| level.tiles),
             outlines: ground.outlines,
             objects: ground.left_out,
+            unused: ground.unused,
         })
     }
 

@@ -111,6 +111,10 @@ fn gcd(a: u64, b: u64) -> u64 {
 fn without_runs(points: &[Point], closed: bool, side: Beyond) -> Vec<Point> {
     let beyond = |i: usize| points.get(i).is_none_or(|&p| side.holds(p));
     let count = points.len();
+    if count == 0 {
+        // All of it was beyond another side.
+        return Vec::new();
+    }
     // Before the first point of a chain and after the last one, nothing is near.
     let (before, after) = if closed { (count - 1, 0) } else { (count, count) };
     let goes = |i: usize| {

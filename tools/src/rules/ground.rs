@@ -25,7 +25,7 @@ use super::outline::{LeftOut, Outline};
 use super::piece::Piece;
 use super::place::{self, Unit};
 use super::report::Applied;
-use super::{doubts, nothing, paths};
+use super::{doubts, nothing, paths, unused};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
@@ -52,6 +52,8 @@ pub struct Ground {
     pub applied: Vec<Applied>,
     /// Drawings that are not part of the level.
     pub ignored: Vec<String>,
+    /// What the user has set and no output holds.
+    pub unused: Vec<String>,
     /// Further notes for the user.
     pub notes: Vec<String>,
     /// What the author probably did not intend.
@@ -142,10 +144,11 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         beyond(&mut ground.left_out);
         references(&mut ground.left_out, map);
     }
+    ground.unused = unused::lines(map, &ground.outlines, &ground.left_out);
     ground.doubts = doubts;
     ground.applied = ledger.0;
     ground.ignored = ignored;
-    ground.notes.splice(0..0, notes);
+    ground.notes.splice(0..0, map.notes.iter().cloned().chain(notes));
     Ok(ground)
 }
 
@@ -222,6 +225,7 @@ fn settled(
         left_out: Vec::new(),
         applied: Vec::new(),
         ignored: Vec::new(),
+        unused: Vec::new(),
         notes,
         doubts: Vec::new(),
         place: map.place,

@@ -20,6 +20,7 @@ mod place;
 mod report;
 mod traits;
 pub(crate) mod union;
+mod unused;
 mod verdict;
 mod weld;
 mod words;

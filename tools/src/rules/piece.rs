@@ -96,6 +96,10 @@ impl Frame {
         Self { x: x + right, y: y + up, width, height, scale }
     }
 
+    fn moved(self, by: Spot) -> Self {
+        Self { x: self.x + by.0, y: self.y + by.1, ..self }
+    }
+
     fn corners(&self) -> (Spot, Spot) {
         ((self.x, self.y), (self.x + self.width, self.y + self.height))
     }
@@ -113,8 +117,8 @@ impl Frame {
 /// whose middle it covers, and at least one.
 pub(super) fn drawn_on(map: &Map, placed: &Placed, tile: u16) -> Block {
     let side = i64::from(tile);
-    let &Placed::Tile { tileset, id, flip } = placed else { return ((0, 0), (1, 1)) };
-    let (from, to) = Frame::of(map, &map.tilesets[tileset], id, flip, side).corners();
+    let &Placed::Tile { tileset, id, flip, moved } = placed else { return ((0, 0), (1, 1)) };
+    let (from, to) = Frame::of(map, &map.tilesets[tileset], id, flip, side).moved(moved).corners();
     let side = side.max(1) << 16;
     let along = |from: Decimal, to: Decimal| {
         let middle = |v: Decimal| (v.raw() + side / 2 - 1).div_euclid(side);
@@ -130,11 +134,11 @@ pub(super) fn drawn_on(map: &Map, placed: &Placed, tile: u16) -> Block {
 pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness, weld: i64) -> Piece {
     let side = i64::from(tile);
     let cell = Frame::new(side, side).corners();
-    let &Placed::Tile { tileset, id, flip } = placed else {
+    let &Placed::Tile { tileset, id, flip, moved } = placed else {
         return if let Solid::Shape(shape) = solid { Piece::Shape(shape) } else { Piece::Paths(Vec::new()) };
     };
     let set = &map.tilesets[tileset];
-    let frame = Frame::of(map, set, id, flip, side);
+    let frame = Frame::of(map, set, id, flip, side).moved(moved);
     match solid {
         Solid::Shape(shape) if frame.corners() == cell => Piece::Shape(shape),
         Solid::Shape(shape) => match frame.cells(side).filter(|_| shape == TileShape::Full) {

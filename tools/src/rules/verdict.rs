@@ -38,7 +38,7 @@ pub(super) struct Meaning {
 pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meaning, String> {
     match placed {
         Placed::Nothing => Ok(Meaning::default()),
-        Placed::Tile { tileset, id, flip } => {
+        Placed::Tile { tileset, id, flip, .. } => {
             let set = &*map.tilesets[*tileset];
             let nothing = Tile::default();
             let tile = set.tiles.get(id).unwrap_or(&nothing);

@@ -26,6 +26,7 @@ fn tiles(width: u16, height: u16, cells: Vec<TileKind>) -> Ground {
         left_out: Vec::new(),
         applied: Vec::new(),
         ignored: Vec::new(),
+        unused: Vec::new(),
         notes: Vec::new(),
         doubts: Vec::new(),
         place: None,

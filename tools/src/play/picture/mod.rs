@@ -3,6 +3,7 @@
 
 mod bodies;
 mod footer;
+mod polygons;
 mod tiles;
 
 use super::arena::Arena;
@@ -21,9 +22,21 @@ pub fn scene(arena: &Arena, run: &Run, name: &str, seed: u32) -> Scene {
     let scale = [3.0, 2.0, 1.5, 1.0, 0.5].iter().find(fits).copied().unwrap_or(0.25);
     let mut scene = Scene::new(width, height, scale, tile / 16.0);
     tiles::draw(&mut scene, level, run);
+    let first = scene.marks.len();
+    let corner = [level.origin.0, level.origin.1].map(|raw| raw as f32 / 65536.0);
+    let polygons = arena.segments.as_deref();
+    if let Some(bytes) = polygons {
+        polygons::fill(&mut scene, bytes, level);
+    }
+    tiles::surfaces(&mut scene, level);
+    if let Some(bytes) = polygons {
+        polygons::surfaces(&mut scene, bytes, tile);
+    }
     bodies::trails(&mut scene, run);
     bodies::contacts(&mut scene, run);
     bodies::bodies(&mut scene, run);
+    // The picture begins at the first cell.
+    scene.shift(first, (-corner[0], -corner[1]));
     footer::draw(&mut scene, level, run, name, seed);
     scene
 }

@@ -17,11 +17,17 @@ use crate::rules::names;
 /// marks than this.
 const MOST: u32 = 1 << 16;
 
+/// The side of the square of cells that is drawn as one block.
+fn block(level: &Level) -> u16 {
+    (1..u16::MAX)
+        .find(|&k| u32::from(level.width.div_ceil(k)) * u32::from(level.height.div_ceil(k)) <= MOST)
+        .unwrap_or(1)
+}
+
+/// From the first cell on, at the corner of the picture.
 pub(super) fn draw(scene: &mut Scene, level: &Level, run: &Run) {
     sky(scene);
-    let block = (1..u16::MAX)
-        .find(|&k| u32::from(level.width.div_ceil(k)) * u32::from(level.height.div_ceil(k)) <= MOST)
-        .unwrap_or(1);
+    let block = block(level);
     if block > 1 {
         return blocks(scene, level, block);
     }
@@ -37,7 +43,13 @@ pub(super) fn draw(scene: &mut Scene, level: &Level, run: &Run) {
             plank(scene, at, tile, kind.shape);
         }
     }
-    surface::draw(scene, &level.features(), tile);
+}
+
+/// The surface of the cells, at their position in the level.
+pub(super) fn surfaces(scene: &mut Scene, level: &Level) {
+    if block(level) == 1 {
+        surface::draw(scene, &level.features(), f32::from(level.tile));
+    }
 }
 
 /// Each square of `k` by `k` cells, as dark as its solid share.

@@ -1,24 +1,27 @@
 //! Projects of `LDtk`: every level, with the layers of `IntGrid` values, of tiles and of entities.
 
+mod entities;
 mod raw;
+mod tiles;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::path::Path;
 use std::rc::Rc;
 
 use super::file::Files;
 use super::json;
-use crate::model::decimal::Decimal;
-use crate::model::flip::Flip;
 use crate::model::map::{Content, Layer, Map, Place, Placed, Tiles};
-use crate::model::object::{Form, Object, Spot};
-use crate::model::property::{Properties, Value};
+use crate::model::property::Value;
 use crate::model::tileset::{Tile, Tileset};
+use entities::{Ids, fields, object};
+use tiles::{Palette, Set};
 
 type Result<T> = std::result::Result<T, String>;
 
 /// The limit for all layers of a level together: 4096 x 4096.
 const MAX_CELLS: u64 = 1 << 24;
+/// The longest side of a tile, in pixels. Images are smaller.
+const MAX_SIDE: u32 = 1 << 16;
 /// The limit for all levels of a project together.
 const MAX_PROJECT: u64 = 1 << 25;
 
@@ -93,37 +96,6 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
     Ok(maps)
 }
 
-/// Numbers for the entities of a project, by their names in the file.
-#[derive(Debug, Default)]
-struct Ids {
-    known: HashMap<String, u32>,
-    /// Those of entities that were read.
-    read: HashSet<u32>,
-    count: u32,
-}
-
-impl Ids {
-    /// The number of an entity, which may come later.
-    fn of(&mut self, iid: &str) -> u32 {
-        *self.known.entry(iid.to_owned()).or_insert_with(|| {
-            self.count += 1;
-            self.count
-        })
-    }
-
-    /// The number of an entity that is read now. Old files have no names.
-    fn of_read(&mut self, iid: &str) -> u32 {
-        let mut id = if iid.is_empty() { 0 } else { self.of(iid) };
-        // A copy of an entity by hand has its name, too.
-        if iid.is_empty() || self.read.contains(&id) {
-            self.count += 1;
-            id = self.count;
-        }
-        self.read.insert(id);
-        id
-    }
-}
-
 fn tileset(set: &raw::Tileset, folder: &Path) -> Tileset {
     let along = |length: u32| {
         let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(2 * u64::from(set.padding));
@@ -160,14 +132,6 @@ struct Reader<'a> {
     ids: Ids,
 }
 
-/// The meaning of the numbers of a level's layers, while it grows.
-#[derive(Default)]
-struct Palette {
-    all: Vec<Placed>,
-    tiles: HashMap<(usize, u32, Flip), u32>,
-    values: HashMap<(String, i64), u32>,
-}
-
 impl Reader<'_> {
     fn level(&mut self, mut level: raw::Level, name: &str, world: Option<usize>) -> Result<Map> {
         if let (None, Some(file)) = (&level.layer_instances, &level.external_rel_path) {
@@ -177,14 +141,17 @@ impl Reader<'_> {
             let apart: raw::Level =
                 json::parse(&bytes).map_err(|why| of_file(format!("not a level of LDtk: {why}")))?;
             level.layer_instances = apart.layer_instances;
+            level.field_instances = apart.field_instances;
         }
         let layers = level.layer_instances.ok_or("its layers are neither here nor in a separate file")?;
-        let mut palette = Palette { all: vec![Placed::Nothing], ..Palette::default() };
-        let (mut read, mut tile) = (Vec::new(), None);
+        let mut palette = Palette::new();
+        let (mut read, mut tile, mut notes) = (Vec::new(), None, Vec::new());
         let start = self.cells;
         // LDtk lists the uppermost layer first.
         for layer in layers.iter().rev() {
             let of_layer = |why: String| format!("layer '{}': {why}", layer.name);
+            self.known(layer).map_err(of_layer)?;
+            let definition = self.definitions.layers.iter().find(|definition| definition.uid == layer.definition);
             if layer.form == "Entities" {
                 // Only the points of fields need the side of a cell.
                 let side = layer.tile.0.min(256) as u16;
@@ -192,7 +159,9 @@ impl Reader<'_> {
                 let objects =
                     layer.entities.iter().zip(ids).map(|(entity, id)| object(entity, id, side, &mut self.ids));
                 let objects = Content::Objects(objects.collect());
-                read.push(Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), objects));
+                let mut objects = Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), objects);
+                show(std::slice::from_mut(&mut objects), layer, definition);
+                read.push(objects);
                 continue;
             }
             let (side, before) = (grid(layer).map_err(of_layer)?, read.len());
@@ -205,13 +174,16 @@ impl Reader<'_> {
                 read.push(self.values(layer, side, &mut palette).map_err(of_layer)?);
             }
             if let Some(uid) = layer.tileset {
-                read.extend(self.tiles(layer, uid, side, &mut palette).map_err(of_layer)?);
+                let known = self.definitions.tilesets.iter().position(|set| set.uid == uid);
+                let index = known.ok_or_else(|| of_layer(format!("defs.tilesets has no uid {uid}")))?;
+                let own = Some(self.definitions.tilesets[index].tile_grid_size).filter(|own| *own > 0);
+                if let Some(own) = own.filter(|own| *own > MAX_SIDE) {
+                    return Err(of_layer(format!("tiles of {own} pixels; a side has at most {MAX_SIDE}")));
+                }
+                let set = Set { index, side: own.unwrap_or(side.into()) };
+                read.extend(tiles::read(layer, set, (definition, MAX_CELLS), &mut palette, &mut notes));
             }
-            let definition = self.definitions.layers.iter().find(|definition| definition.uid == layer.definition);
-            for read in read.iter_mut().skip(before) {
-                read.hidden = layer.visible == Some(false);
-                read.parallax = definition.is_some_and(|of| (of.parallax_x, of.parallax_y) != (0.0, 0.0));
-            }
+            show(&mut read[before..], layer, definition);
         }
         let sides = read.iter().filter_map(|layer| layer.tiles().map(|tiles| tiles.tile));
         let tile = tile.or_else(|| sides.min()).unwrap_or(16);
@@ -226,7 +198,32 @@ impl Reader<'_> {
             layers: read,
             place: (world.is_some() && place.width > 0).then_some(place),
             values: true,
+            properties: vec![("the level".to_owned(), fields(&level.field_instances, &mut self.ids))],
+            notes,
         })
+    }
+
+    /// Refuses a layer that would lose its content.
+    fn known(&self, layer: &raw::Layer) -> Result<()> {
+        if !matches!(layer.form.as_str(), "IntGrid" | "Entities" | "Tiles" | "AutoLayer") {
+            return Err(format!(
+                "its type '{}' is unknown; the types are IntGrid, Entities, Tiles and AutoLayer",
+                layer.form
+            ));
+        }
+        let mut tiles = layer.tiles.iter().chain(&layer.auto).peekable();
+        if layer.tileset.is_none() && tiles.peek().is_some() {
+            return Err("it has tiles, and no tileset: choose one in LDtk, and save the project".to_owned());
+        }
+        if tiles.any(|tile| tile.t.is_none()) {
+            return Err(self.too_old("its tiles have no t"));
+        }
+        Ok(())
+    }
+
+    fn too_old(&self, what: &str) -> String {
+        let by = self.version.map_or_else(|| "an old LDtk".to_owned(), |version| format!("LDtk {version}"));
+        format!("{what}: saved by {by}: open it in a newer one, and save it")
     }
 
     fn values(&self, layer: &raw::Layer, tile: u16, palette: &mut Palette) -> Result<Layer> {
@@ -234,8 +231,7 @@ impl Reader<'_> {
         if layer.values.len() as u64 != u64::from(width) * u64::from(height) {
             // Before intGridCsv, LDtk listed only the cells with a value.
             if layer.values.is_empty() {
-                let by = self.version.map_or_else(|| "an old LDtk".to_owned(), |version| format!("LDtk {version}"));
-                return Err(format!("it has no intGridCsv: saved by {by}: open it in a newer one, and save it"));
+                return Err(self.too_old("it has no intGridCsv"));
             }
             return Err(format!("{} values for {width}x{height} cells", layer.values.len()));
         }
@@ -266,47 +262,15 @@ impl Reader<'_> {
         palette.values.insert((layer.name.clone(), number), place);
         Ok(place)
     }
-
-    /// Tiles can lie over each other. There are as many layers as the highest pile has tiles.
-    fn tiles(&self, layer: &raw::Layer, uid: i64, tile: u16, palette: &mut Palette) -> Result<Vec<Layer>> {
-        let derived = !layer.auto.is_empty();
-        let tiles = if derived { &layer.auto } else { &layer.tiles };
-        let known = self.definitions.tilesets.iter().position(|set| set.uid == uid);
-        let set = known.ok_or_else(|| format!("defs.tilesets has no uid {uid}"))?;
-        let (width, height) = (layer.width.0 as u32, layer.height.0 as u32);
-        let side = i32::from(tile);
-        let most = (MAX_CELLS / (u64::from(width) * u64::from(height)).max(1)).min(MOST_PILED) as usize;
-        let mut piles: Vec<Tiles> = Vec::new();
-        for placed in tiles {
-            let (x, y) = (placed.px.0.div_euclid(side), placed.px.1.div_euclid(side));
-            // Rules of auto layers can draw tiles that cross the border.
-            if x < 0 || y < 0 || x as u32 >= width || y as u32 >= height {
-                continue;
-            }
-            let cell = y as usize * width as usize + x as usize;
-            let flip = Flip { diagonal: false, horizontal: placed.f & 1 != 0, vertical: placed.f & 2 != 0 };
-            let next = palette.all.len() as u32;
-            let place = *palette.tiles.entry((set, placed.t, flip)).or_insert(next);
-            if place == next {
-                palette.all.push(Placed::Tile { tileset: set, id: placed.t, flip });
-            }
-            match piles.iter().position(|pile| pile.cells[cell] == 0) {
-                Some(pile) => piles[pile].cells[cell] = place,
-                None if piles.len() < most => {
-                    let mut cells = vec![0; width as usize * height as usize];
-                    cells[cell] = place;
-                    piles.push(Tiles { tile, at: (0, 0), width, height, cells, derived });
-                }
-                None => {}
-            }
-        }
-        let offset = (layer.x.into(), layer.y.into());
-        Ok(piles.into_iter().map(|pile| Layer::plain(&layer.name, offset, Content::Tiles(pile))).collect())
-    }
 }
 
-/// Tiles in one cell of a layer. More cannot be distinguished in a picture.
-const MOST_PILED: u64 = 8;
+/// Whether the editor shows the layer, and whether it scrolls against others.
+fn show(read: &mut [Layer], layer: &raw::Layer, definition: Option<&raw::LayerDefinition>) {
+    for read in read {
+        read.hidden = layer.visible == Some(false) || layer.opacity == Some(0.0);
+        read.parallax = definition.is_some_and(|of| (of.parallax_x, of.parallax_y) != (0.0, 0.0));
+    }
+}
 
 fn grid(layer: &raw::Layer) -> Result<u16> {
     for (name, count) in [("__cWid", &layer.width), ("__cHei", &layer.height), ("__gridSize", &layer.tile)] {
@@ -319,57 +283,4 @@ fn grid(layer: &raw::Layer) -> Result<u16> {
         return Err(format!("cells of {tile} pixels; the library accepts 1 to 256"));
     }
     Ok(tile as u16)
-}
-
-/// An entity is a rectangle with its name, its tags and its fields.
-fn object(entity: &raw::Entity, id: u32, side: u16, ids: &mut Ids) -> Object {
-    let pixels = |value: u32| Decimal::whole(value.into());
-    let corner =
-        |at: i32, size: u32, pivot: f64| Decimal::whole(at.into()) - Decimal::from_f64(f64::from(size) * pivot);
-    let marks = entity.tags.iter().map(|tag| (tag.clone(), Value::Bool(true)));
-    let (paths, fields): (Vec<_>, Vec<_>) =
-        entity.fields.iter().partition(|field| matches!(field.form.as_str(), "Point" | "Array<Point>"));
-    let values = fields.into_iter().flat_map(|field| values(field, ids)).collect();
-    let points = |field: &raw::Field| each(&field.value).filter_map(|point| middle(point, side)).collect::<Vec<Spot>>();
-    let paths = paths.into_iter().map(|field| (field.name.clone(), points(field))).filter(|path| !path.1.is_empty());
-    Object {
-        id,
-        name: entity.name.clone(),
-        class: entity.name.clone(),
-        properties: Properties(marks.collect()),
-        fields: Properties(values),
-        paths: paths.collect(),
-        at: (corner(entity.px.0, entity.width, entity.pivot.0), corner(entity.px.1, entity.height, entity.pivot.1)),
-        size: (pixels(entity.width), pixels(entity.height)),
-        rotation: Decimal::ZERO,
-        hidden: false,
-        form: Form::Rectangle,
-    }
-}
-
-/// The values of a field: a list has several, and a field without a value none.
-fn values(field: &raw::Field, ids: &mut Ids) -> Vec<(String, Value)> {
-    let value = |value: &serde_json::Value| match value {
-        serde_json::Value::Object(reference) => match reference.get("entityIid").and_then(|iid| iid.as_str()) {
-            Some(iid) => Value::Object(ids.of(iid)),
-            None => Value::Lost(format!("its type '{}' has no value here", field.form)),
-        },
-        plain => Value::from(plain),
-    };
-    let values: Vec<Value> = each(&field.value).map(value).collect();
-    values.into_iter().map(|value| (field.name.clone(), value)).collect()
-}
-
-fn each(value: &serde_json::Value) -> impl Iterator<Item = &serde_json::Value> {
-    let list = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);
-    list.iter().filter(|value| !value.is_null())
-}
-
-/// The middle of the cell that a point of `LDtk` names.
-fn middle(point: &serde_json::Value, side: u16) -> Option<Spot> {
-    let along = |name: &str| {
-        let cell = i32::try_from(point.get(name)?.as_i64()?).ok()?;
-        Some(Decimal::whole(i64::from(cell) * i64::from(side)) + Decimal::whole(side.into()).scaled(1, 2))
-    };
-    Some((along("cx")?, along("cy")?))
 }

@@ -38,6 +38,10 @@ pub(super) struct LayerDefinition {
     pub(super) parallax_x: f64,
     #[serde(rename = "parallaxFactorY")]
     pub(super) parallax_y: f64,
+    #[serde(rename = "tilePivotX")]
+    pub(super) pivot_x: f64,
+    #[serde(rename = "tilePivotY")]
+    pub(super) pivot_y: f64,
     #[serde(rename = "intGridValues")]
     pub(super) values: Vec<Named>,
 }
@@ -82,6 +86,7 @@ pub(super) struct Level {
     pub(super) px_hei: u32,
     /// The file of the layers, if they are not here.
     pub(super) external_rel_path: Option<String>,
+    pub(super) field_instances: Vec<Field>,
     pub(super) layer_instances: Option<Vec<Layer>>,
 }
 
@@ -91,6 +96,8 @@ pub(super) struct Layer {
     #[serde(rename = "__type")]
     pub(super) form: String,
     pub(super) visible: Option<bool>,
+    #[serde(rename = "__opacity")]
+    pub(super) opacity: Option<f64>,
     #[serde(rename = "__identifier")]
     pub(super) name: String,
     #[serde(rename = "__cWid")]
@@ -124,8 +131,8 @@ pub(super) struct Tile {
     pub(super) px: (i32, i32),
     /// Bit 0 flips left and right, bit 1 flips top and bottom.
     pub(super) f: u8,
-    /// Its id.
-    pub(super) t: u32,
+    /// Its id. Before 0.6 it was in another member.
+    pub(super) t: Option<u32>,
 }
 
 #[derive(Debug, Default, Deserialize)]

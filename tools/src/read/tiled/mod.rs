@@ -17,6 +17,7 @@ use super::json;
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Tiles};
 use crate::model::object::Spot;
+use crate::model::property::Properties;
 use data::{Form, MAX_CELLS};
 use sets::Sets;
 pub(super) use world::read as world;
@@ -25,6 +26,8 @@ type Result<T> = std::result::Result<T, String>;
 
 /// Sides of a cell that the library accepts, in pixels.
 const SIDES: std::ops::RangeInclusive<u32> = 1..=256;
+/// Columns and rows are at most this far from the origin: their pixels stay below 2^30.
+const FARTHEST: i64 = 1 << 22;
 /// The most layers in a map, with those of groups.
 const MAX_LAYERS: usize = 1000;
 
@@ -40,8 +43,17 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     drop(bytes);
     let tile = side(&map)?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut reader =
-        Reader { sets: Sets::new(), layers: Vec::new(), cells: 0, tile, infinite: map.infinite, folder, files };
+    let properties = vec![("the map".to_owned(), map.properties.0)];
+    let mut reader = Reader {
+        sets: Sets::new(),
+        layers: Vec::new(),
+        properties,
+        cells: 0,
+        tile,
+        infinite: map.infinite,
+        folder,
+        files,
+    };
     for set in map.tilesets {
         reader.sets.add(set, folder, reader.files)?;
     }
@@ -57,6 +69,8 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
         layers: reader.layers,
         place: None,
         values: false,
+        properties: reader.properties,
+        notes: Vec::new(),
     };
     Ok((read, map.infinite))
 }
@@ -83,6 +97,20 @@ fn side(map: &raw::Map) -> Result<u16> {
     Ok(width as u16)
 }
 
+/// The first column and row of tiles that are moved by so many.
+fn placed(tiles: &Tiles, by: (i32, i32)) -> Result<(i32, i32)> {
+    let along = |at: i32, by: i32, count: u32| {
+        let start = i64::from(at) + i64::from(by);
+        let inside = start >= -FARTHEST && start + i64::from(count) <= FARTHEST;
+        i32::try_from(start).ok().filter(|_| inside)
+    };
+    let moved = along(tiles.at.0, by.0, tiles.width).zip(along(tiles.at.1, by.1, tiles.height));
+    moved.ok_or_else(|| {
+        let (x, y) = (i64::from(tiles.at.0) + i64::from(by.0), i64::from(tiles.at.1) + i64::from(by.1));
+        format!("it begins in column {x}, row {y}: move it nearer, columns and rows stay below {FARTHEST}")
+    })
+}
+
 /// The settings of the groups around a layer.
 #[derive(Default)]
 struct Around {
@@ -95,6 +123,8 @@ struct Around {
 struct Reader<'a> {
     sets: Sets,
     layers: Vec<Layer>,
+    /// Of the map and its groups.
+    properties: Vec<(String, Properties)>,
     /// The cells in all layers so far.
     cells: u64,
     tile: u16,
@@ -108,7 +138,7 @@ impl Reader<'_> {
         let name = layer.name.clone();
         let of_layer = |why: String| format!("layer '{name}': {why}");
         let offset = (around.offset.0 + layer.offsetx.0, around.offset.1 + layer.offsety.0);
-        let hidden = around.hidden || !layer.visible;
+        let hidden = around.hidden || !layer.visible || layer.opacity.0 == Decimal::ZERO;
         let moves = |factor: raw::Number| factor.0 != Decimal::whole(1);
         let parallax = around.parallax || moves(layer.parallaxx) || moves(layer.parallaxy);
         let marks: Vec<String> = layer.properties.0.marks().map(str::to_owned).collect();
@@ -117,21 +147,20 @@ impl Reader<'_> {
                 let own = [&layer.name, &layer.class].into_iter().chain(&marks).filter(|name| !name.is_empty());
                 let says = around.says.iter().chain(own).cloned().collect();
                 let around = Around { offset, hidden, parallax, says };
+                self.properties.push((format!("group '{name}'"), layer.properties.0));
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
-            "tilelayer" => Content::Tiles(
-                self.tiles(
-                    layer.data,
-                    layer.chunks,
-                    &Form {
-                        width: layer.width,
-                        height: layer.height,
-                        encoding: layer.encoding.as_deref(),
-                        compression: layer.compression.as_deref(),
-                    },
-                )
-                .map_err(of_layer)?,
-            ),
+            "tilelayer" => {
+                let form = Form {
+                    width: layer.width,
+                    height: layer.height,
+                    encoding: layer.encoding.as_deref(),
+                    compression: layer.compression.as_deref(),
+                };
+                let mut tiles = self.tiles(layer.data, layer.chunks, &form).map_err(of_layer)?;
+                tiles.at = placed(&tiles, (layer.x, layer.y)).map_err(of_layer)?;
+                Content::Tiles(tiles)
+            }
             "objectgroup" => {
                 let objects = layer.objects.into_iter();
                 let read = objects.map(|object| self.sets.object(object, self.folder, self.files));
@@ -144,8 +173,8 @@ impl Reader<'_> {
             return Err(format!("more than {MAX_LAYERS} layers"));
         }
         let groups = around.says.clone();
-        let (name, class) = (layer.name, layer.class);
-        self.layers.push(Layer { name, class, marks, groups, offset, hidden, parallax, content });
+        let (name, class, properties) = (layer.name, layer.class, layer.properties.0);
+        self.layers.push(Layer { name, class, properties, marks, groups, offset, hidden, parallax, content });
         Ok(())
     }
 

@@ -31,6 +31,8 @@ pub(super) struct Map {
     pub(super) tilesets: Vec<Tileset>,
     #[serde(deserialize_with = "lax::given")]
     pub(super) layers: Vec<Layer>,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) properties: Listed,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -68,6 +70,8 @@ pub(super) struct Tileset {
     pub(super) objectalignment: String,
     #[serde(deserialize_with = "lax::given")]
     pub(super) tiles: Tiles,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) properties: Listed,
     /// Before Tiled 1.2, properties and classes were separate from the tiles.
     pub(super) tileproperties: BTreeMap<u32, Listed>,
 }
@@ -132,6 +136,12 @@ pub(super) struct Layer {
     pub(super) offsety: Number,
     pub(super) parallaxx: Number,
     pub(super) parallaxy: Number,
+    pub(super) opacity: Number,
+    /// In cells. Tiled reads them, and has written 0 for years.
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) x: i32,
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) y: i32,
     #[serde(deserialize_with = "lax::whole")]
     pub(super) width: u32,
     #[serde(deserialize_with = "lax::whole")]
@@ -161,6 +171,9 @@ impl Default for Layer {
             offsety: Number::default(),
             parallaxx: one,
             parallaxy: one,
+            opacity: one,
+            x: 0,
+            y: 0,
             width: 0,
             height: 0,
             encoding: None,

@@ -8,7 +8,7 @@ use super::objects::{Templates, alignment, of_tile, shape};
 use super::{raw, tags};
 use crate::model::flip::Flip;
 use crate::model::map::Placed;
-use crate::model::object::Object;
+use crate::model::object::{Object, Spot};
 use crate::model::tileset::{Tile, Tileset};
 use crate::read::file::Files;
 use crate::read::json;
@@ -19,6 +19,9 @@ type Result<T> = std::result::Result<T, String>;
 const MAX_SETS: usize = 1000;
 /// The greatest id of a tile, and the most described tiles in all tilesets of a map.
 const MAX_TILES: u32 = 1 << 20;
+
+/// The longest side of a tile, in pixels. Images are smaller.
+const MAX_SIDE: u32 = 1 << 16;
 
 const HORIZONTAL: u32 = 1 << 31;
 const VERTICAL: u32 = 1 << 30;
@@ -121,7 +124,12 @@ impl Sets {
         }
         let tile = self.tile(gid)?;
         let place = self.palette.len() as u32;
-        self.palette.push(tile.map_or(Placed::Nothing, |(tileset, id, flip)| Placed::Tile { tileset, id, flip }));
+        self.palette.push(tile.map_or(Placed::Nothing, |(tileset, id, flip)| Placed::Tile {
+            tileset,
+            id,
+            flip,
+            moved: Spot::default(),
+        }));
         self.places.insert(gid, place);
         Ok(place)
     }
@@ -159,6 +167,11 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     if set.tilecount.is_some_and(|count| count > MAX_TILES) {
         return Err(of_set(format!("more than {MAX_TILES} tiles")));
     }
+    let fits = |width: u32, height: u32| match width.max(height) {
+        0..=MAX_SIDE => Ok(()),
+        _ => Err(of_set(format!("tiles of {width}x{height} pixels; a side has at most {MAX_SIDE}"))),
+    };
+    fits(set.tilewidth, set.tileheight)?;
     let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));
     let along = |length: u32, tile: u32| {
         let step = u64::from(tile) + u64::from(set.spacing);
@@ -173,6 +186,7 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
     let mut tiles = HashMap::new();
     for tile in set.tiles.0 {
         let part = tile.part();
+        fits(part.size.0, part.size.1)?;
         let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
         let shapes = shapes
             .into_iter()
@@ -201,6 +215,7 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
             other => return Err(of_set(format!("fillmode '{other}' is unknown"))),
         },
         image: path(set.image),
+        properties: set.properties.0,
         tiles,
     })
 }

@@ -22,6 +22,8 @@ pub(super) fn map(bytes: &[u8]) -> Result<Map> {
     while let Some(tag) = xml.child()? {
         if tag.name == "tileset" {
             map.tilesets.push(tileset(&mut xml, &tag)?);
+        } else if tag.name == "properties" {
+            map.properties = properties(&mut xml)?;
         } else if let Some(layer) = layer(&mut xml, &tag)? {
             map.layers.push(layer);
         }
@@ -116,6 +118,7 @@ fn tileset(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Tileset> {
                 (set.tileoffset.x, set.tileoffset.y) = (number(xml, &tag, "x")?, number(xml, &tag, "y")?);
                 xml.skip()?;
             }
+            "properties" => set.properties = properties(xml)?,
             "tile" => {
                 let tile = tile(xml, &tag)?;
                 set.tiles.0.push(tile);
@@ -203,7 +206,9 @@ fn layer(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Option<Layer>> {
     };
     read.parallaxx = decimal(xml, tag, "parallaxx")?.unwrap_or(read.parallaxx);
     read.parallaxy = decimal(xml, tag, "parallaxy")?.unwrap_or(read.parallaxy);
+    read.opacity = decimal(xml, tag, "opacity")?.unwrap_or(read.opacity);
     if form == "tilelayer" {
+        (read.x, read.y) = (number(xml, tag, "x")?, number(xml, tag, "y")?);
         (read.width, read.height) = (number(xml, tag, "width")?, number(xml, tag, "height")?);
     }
     while let Some(tag) = xml.child()? {

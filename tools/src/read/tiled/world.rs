@@ -8,6 +8,7 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::data::MAX_CELLS;
+use super::lax;
 use crate::model::map::{Map, Place, Tiles};
 use crate::read::file::Files;
 use crate::read::json;
@@ -30,10 +31,14 @@ struct World {
 #[serde(default, rename_all = "camelCase")]
 struct Listed {
     file_name: String,
+    #[serde(deserialize_with = "lax::whole")]
     x: i32,
+    #[serde(deserialize_with = "lax::whole")]
     y: i32,
     /// In pixels. Only infinite maps need them.
+    #[serde(deserialize_with = "lax::count")]
     width: Option<u32>,
+    #[serde(deserialize_with = "lax::count")]
     height: Option<u32>,
 }
 

@@ -6,6 +6,7 @@ mod player;
 mod rng;
 mod start;
 
+use tilesat::Vec2;
 use tilesat::world::{ShapeSet, TileMap};
 
 pub use actor::{Actor, Shape};
@@ -66,6 +67,13 @@ impl Sim {
         }
         // FNV-1a's offset basis.
         Ok(Self { actors, player, rng, frame: 0, hash: 0x811c_9dc5 })
+    }
+
+    /// Puts the player's feet at the start that the level gives, before the first frame. Returns
+    /// whether there is room for it.
+    pub fn start_at<S: ShapeSet>(&mut self, map: &TileMap<'_, S>, feet: Vec2) -> bool {
+        let [actor, ..] = &mut self.actors;
+        self.player.start_at(map, actor, feet)
     }
 
     /// Moves every body by one frame.

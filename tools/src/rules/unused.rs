@@ -1,0 +1,140 @@
+//! Names what a user has set and no output holds: the report has a line for each owner.
+
+use std::collections::{BTreeMap, HashSet};
+use std::fmt::Write;
+
+use super::outline::{LeftOut, Outline};
+use super::words::{COLLISION, GUESS};
+use super::{kind::Kind, traits, words};
+use crate::model::decimal::Decimal;
+use crate::model::map::{Content, Layer, Map, Placed};
+use crate::model::object::{Form, Object};
+use crate::model::property::{Properties, Value};
+
+/// The most names of a line.
+const MOST: usize = 12;
+
+/// How often each name occurs.
+type Counts<'a> = BTreeMap<&'a str, usize>;
+
+/// A line for each owner of properties that are in no output, and for each layer whose objects lose
+/// a text or a rotation.
+pub(super) fn lines(map: &Map, outlines: &[Outline], left_out: &[LeftOut]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for (owner, properties) in &map.properties {
+        let counts = counted(properties.0.iter().filter(|(name, value)| !is_rule(name, value)));
+        lines.extend(line(&format!("of {owner}"), &counts));
+    }
+    let placed = placed(map);
+    for (index, set) in map.tilesets.iter().enumerate() {
+        let of_set = counted(set.properties.0.iter().filter(|(_, value)| is_set(value)));
+        lines.extend(line(&format!("of tileset '{}'", set.name), &of_set));
+        // `LDtk` has tags only, which serve its drawing rules.
+        let tiles = set.tiles.iter().filter(|(id, _)| !map.values && placed.contains(&(index, **id)));
+        let counts =
+            counted(tiles.flat_map(|(_, tile)| &tile.properties.0).filter(|(name, value)| !of_tile(name, value)));
+        lines.extend(line(&format!("of tiles of tileset '{}'", set.name), &counts));
+    }
+    let titles =
+        |titles: &mut dyn Iterator<Item = (u32, &str)>| titles.map(|(id, layer)| (layer.to_owned(), id)).collect();
+    let solid: HashSet<(String, u32)> = titles(&mut outlines.iter().map(|o| (o.title.id, o.title.layer.as_str())));
+    let listed = left_out.iter().filter(|object| object.is_listed());
+    let listed: HashSet<(String, u32)> = titles(&mut listed.map(|o| (o.title.id, o.title.layer.as_str())));
+    for layer in &map.layers {
+        let own = counted(layer.properties.0.iter().filter(|(name, value)| !is_rule(name, value)));
+        lines.extend(line(&format!("of layer '{}'", layer.name), &own));
+        let Content::Objects(objects) = &layer.content else { continue };
+        let among = |set: &HashSet<(String, u32)>| -> Vec<&Object> {
+            objects.iter().filter(|object| set.contains(&(layer.name.clone(), object.id))).collect()
+        };
+        let of_solid = among(&solid);
+        let properties = of_solid.iter().flat_map(|object| object.properties.0.iter().chain(&object.fields.0));
+        let counts = counted(properties.filter(|(name, value)| !of_object(name, value)));
+        lines.extend(line(&format!("of solid objects of layer '{}'", layer.name), &counts));
+        lines.extend(forms(layer, &among(&listed)));
+    }
+    lines
+}
+
+/// Texts and rotations of listed objects.
+fn forms(layer: &Layer, objects: &[&Object]) -> Vec<String> {
+    let texts = objects.iter().filter(|object| object.form == Form::Text).count();
+    let is_turned = |object: &&&Object| {
+        let boxed = matches!(object.form, Form::Rectangle | Form::Ellipse | Form::Capsule | Form::Tile(_));
+        boxed && object.rotation != Decimal::ZERO
+    };
+    let turned = objects.iter().filter(is_turned).count();
+    let of = |what: &str, count: usize| {
+        let plural = if count == 1 { "" } else { "s" };
+        format!("the {what} of {count} object{plural} of layer '{}'", layer.name)
+    };
+    let mut lines = Vec::new();
+    if texts > 0 {
+        lines.push(format!("{}: no output has it; give it as a property", of("text", texts)));
+    }
+    if turned > 0 {
+        lines.push(format!("{}: OBJECTS has the box around each; give it as a property", of("rotation", turned)));
+    }
+    lines
+}
+
+fn counted<'a>(properties: impl Iterator<Item = &'a (String, Value)>) -> Counts<'a> {
+    let mut counts = Counts::new();
+    for (name, _) in properties {
+        *counts.entry(name).or_default() += 1;
+    }
+    counts
+}
+
+fn line(owner: &str, counts: &Counts<'_>) -> Option<String> {
+    if counts.is_empty() {
+        return None;
+    }
+    let mut text = format!("properties {owner}:");
+    for (i, (name, count)) in counts.iter().take(MOST).enumerate() {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{} '{name}'", if i == 0 { "" } else { "," });
+        if *count > 1 {
+            let _ = write!(text, " ({count} times)");
+        }
+    }
+    if counts.len() > MOST {
+        let _ = write!(text, " and {} more", counts.len() - MOST);
+    }
+    Some(text + ": no output has them")
+}
+
+/// The tiles in the layers of a map.
+fn placed(map: &Map) -> HashSet<(usize, u32)> {
+    let entries = map.palette.iter().filter_map(|entry| match entry {
+        Placed::Tile { tileset, id, .. } => Some((*tileset, *id)),
+        Placed::Nothing | Placed::Value { .. } => None,
+    });
+    entries.collect()
+}
+
+/// False is the same as nothing.
+fn is_set(value: &Value) -> bool {
+    !matches!(value, Value::Bool(false)) && !matches!(value, Value::Text(text) if text.eq_ignore_ascii_case("false"))
+}
+
+fn is_true(name: &str, value: &Value) -> bool {
+    Properties(vec![(name.to_owned(), value.clone())]).marks().count() > 0
+}
+
+/// Whether a property of a layer, a group or a map says nothing, or what is solid.
+fn is_rule(name: &str, value: &Value) -> bool {
+    let says = words::has(name, COLLISION) || words::has(name, GUESS) || Kind::from_name(name).is_some();
+    !is_set(value) || is_true(name, value) && (says || traits::shape(name).is_some())
+}
+
+/// True properties of tiles are flags or rules.
+fn of_tile(name: &str, value: &Value) -> bool {
+    let shape = ["shape", "npp"].iter().any(|known| name.eq_ignore_ascii_case(known));
+    let one = matches!(value, Value::Number(_)) && traits::shape(name).is_some();
+    !is_set(value) || is_true(name, value) || shape || one
+}
+
+fn of_object(name: &str, value: &Value) -> bool {
+    !is_set(value) || is_true(name, value) || name.eq_ignore_ascii_case("kind")
+}
