@@ -54,7 +54,7 @@ impl<B> Character<B> {
     #[must_use]
     pub const fn wall(&self) -> Option<Axis> {
         // The next step counts one frame more, and lets it jump up to one more than these.
-        if self.memory.wall_age > self.feel.coyote {
+        if self.memory.wall_age > self.feel.grace() {
             return None;
         }
         match self.memory.wall {
