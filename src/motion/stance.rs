@@ -4,7 +4,9 @@ use super::{Character, Support};
 use crate::num::Axis;
 
 impl<B> Character<B> {
-    /// The floor that it stands on.
+    /// The floor that it stands on. A round body that goes over an edge may already have the floor
+    /// ahead, which is lower by up to the [snap](crate::Feel::snap), or higher by up to the
+    /// [step](crate::Feel::step).
     #[must_use]
     pub const fn floor(&self) -> Option<Support> {
         self.floor
