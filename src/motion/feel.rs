@@ -106,12 +106,13 @@ pub struct Feel {
     /// The speed that a rising jump keeps when the button is released. If it equals `jump`, all
     /// jumps are equally high.
     pub jump_cut: Fx,
-    /// For how many frames the body can still jump after it walked off a floor or left a wall.
+    /// For how many frames the body can still jump after it walked off a floor or left a wall. More
+    /// than 253 counts as 253.
     #[doc(alias = "coyote_time")]
     pub coyote: u8,
     /// For how many frames after a press the jump may still start. With zero, only in the frame of
-    /// the press. If the button is already released at the landing, the jump is cut from its first
-    /// frame.
+    /// the press. 255 counts as 254. If the button is already released at the landing, the jump is
+    /// cut from its first frame.
     #[doc(alias = "jump_buffer")]
     pub buffer: u8,
     /// How much the speed changes per frame on a floor, toward [`Input::run`].
@@ -159,6 +160,12 @@ impl Feel {
 
     pub(super) const fn falls_to_larger_y(&self) -> bool {
         self.gravity.to_bits() >= 0
+    }
+
+    /// The frames of [`coyote`](Self::coyote). Counters of frames end at the largest number, which
+    /// stands for ever. A wall's counter is one ahead.
+    pub(super) const fn grace(&self) -> u8 {
+        if self.coyote > u8::MAX - 2 { u8::MAX - 2 } else { self.coyote }
     }
 }
 

@@ -89,9 +89,8 @@ impl<B: Body> Character<B> {
     /// Jumps off the floor, or off a wall, if it can. Returns whether it does.
     fn jump(&mut self, speeds: &mut Speeds, may_leave_floor: bool, stands: bool) -> bool {
         let feel = &self.feel;
-        let off_floor = may_leave_floor && (stands || self.memory.away <= feel.coyote);
-        let off_wall =
-            feel.wall_jump.filter(|_| self.memory.wall != 0 && self.memory.wall_age <= feel.coyote.saturating_add(1));
+        let off_floor = may_leave_floor && (stands || self.memory.away <= feel.grace());
+        let off_wall = feel.wall_jump.filter(|_| self.memory.wall != 0 && self.memory.wall_age <= feel.grace() + 1);
         if !off_floor && off_wall.is_none() {
             return false;
         }

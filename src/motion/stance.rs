@@ -4,7 +4,9 @@ use super::{Character, Support};
 use crate::num::Axis;
 
 impl<B> Character<B> {
-    /// The floor that it stands on.
+    /// The floor that it stands on. A round body that goes over an edge may already have the floor
+    /// ahead, which is lower by up to the [snap](crate::Feel::snap), or higher by up to the
+    /// [step](crate::Feel::step).
     #[must_use]
     pub const fn floor(&self) -> Option<Support> {
         self.floor
@@ -54,7 +56,7 @@ impl<B> Character<B> {
     #[must_use]
     pub const fn wall(&self) -> Option<Axis> {
         // The next step counts one frame more, and lets it jump up to one more than these.
-        if self.memory.wall_age > self.feel.coyote {
+        if self.memory.wall_age > self.feel.grace() {
             return None;
         }
         match self.memory.wall {

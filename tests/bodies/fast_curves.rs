@@ -1,10 +1,13 @@
-//! Fast bodies on curves and in corridors, with another body in reach.
+//! Fast bodies on curves, in corridors and along walls, with another body in reach.
 
+use core::num::NonZeroU8;
 use tilesat::scene::{SceneBody, SortSweepScene};
 use tilesat::{Aabb, AllShapes, Circle, Filter, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
 
-static KINDS: TileKinds =
-    TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b')', TileKind::of(TileShape::ConcaveBottomRight));
+static KINDS: TileKinds = TileKinds::EMPTY
+    .with(b'#', TileKind::FULL)
+    .with(b')', TileKind::of(TileShape::ConcaveBottomRight))
+    .with(b'/', TileKind::of(TileShape::SlopeBottomRight));
 
 fn map(text: &'static str) -> TileMap<'static, AllShapes> {
     TileMap::of_ascii(text, &KINDS).unwrap()
@@ -58,5 +61,64 @@ fn fast_bodies_pass_tight_corridors() {
         }
         let now = scene.body(handle).unwrap();
         assert_eq!((now.shape.position(), now.velocity), (Vec2::from_ints(84, 24), Vec2::from_ints(1, 0)));
+    }
+}
+
+/// Twice the energy of two bodies, in raw units.
+fn energy(scene: &SortSweepScene<4>) -> i128 {
+    let of = |body: &SceneBody| {
+        let (x, y) = body.velocity.raw();
+        i128::from(body.mass.map_or(0, NonZeroU8::get)) * (i128::from(x).pow(2) + i128::from(y).pow(2))
+    };
+    scene.bodies().map(|(_, body)| of(body)).sum()
+}
+
+/// A ball presses a heavier one along a wall: the way of the heavy one is led, and its velocity is
+/// only that of the hit.
+#[test]
+fn a_body_that_is_pressed_along_a_wall_gains_no_energy() {
+    let level = map("#.......\n#.......\n#.......\n#.......\n#.......\n#.......\n#.......\n#.......");
+    for fast in [true, false] {
+        for aside in 0..12i16 {
+            for (restitution, friction) in
+                [(Ratio::ZERO, Ratio::ZERO), (Ratio::HALF, Ratio::HALF), (Ratio::ONE, Ratio::ZERO)]
+            {
+                let mut scene = SortSweepScene::<4>::empty();
+                let surface = Surface::new(restitution, friction);
+                let velocity = Vec2::new(fx!(0.625), fx!(3.25));
+                let place = Circle::new(Vec2::new(fx!(20) + Fx::from(aside) / 4, fx!(51.5)), fx!(4)).unwrap();
+                let light = SceneBody { velocity, surface, floats: true, ..SceneBody::new(place, 1) };
+                let mass = NonZeroU8::new(3);
+                let heavy = SceneBody { mass, fast, floats: true, ..SceneBody::new(ball(20, 62, 4), 2) };
+                scene.insert(&light).unwrap();
+                scene.insert(&heavy).unwrap();
+                let mut before = energy(&scene);
+                for step in 0..20 {
+                    scene.step(&level, Vec2::ZERO, |_| {}).unwrap();
+                    let now = energy(&scene);
+                    assert!(now <= before, "{aside} {restitution:?} {friction:?}, step {step}: {now} of {before}");
+                    before = now;
+                }
+            }
+        }
+    }
+}
+
+/// Little of the step is left at the second surface. Its roundings are not those of the velocity.
+#[test]
+fn late_slides_keep_their_velocity() {
+    let level = map("..........\n..........\n......../#\n##########");
+    // From 64 units before the slope, and this many raw units nearer.
+    for left in (1..200).chain((200..70_000).step_by(997)) {
+        let mut scene = SortSweepScene::<4>::empty();
+        let (right, feet) = ((64 << 16) + left, (48 << 16) - (1 << 15));
+        let (lo, hi) = (Vec2::from_raw(right - (4 << 16), feet - (4 << 16)), Vec2::from_raw(right, feet));
+        let velocity = Vec2::from_ints(64, 1);
+        let body = SceneBody { velocity, fast: true, floats: true, ..SceneBody::new(Aabb::new(lo, hi).unwrap(), 1) };
+        let handle = scene.insert(&body).unwrap();
+        scene.insert(&coin(100, 10)).unwrap();
+        scene.step(&level, Vec2::ZERO, |_| {}).unwrap();
+        let after = scene.body(handle).unwrap().velocity;
+        assert!((after - Vec2::from_ints(32, -32)).length() < fx!(0.03), "{left}: {after:?}");
     }
 }

@@ -121,6 +121,29 @@ fn coyote_frames_are_counted() {
     }
 }
 
+/// The longest times end, too: nothing jumps for ever.
+#[test]
+fn the_longest_graces_end() {
+    for coyote in 250..=u8::MAX {
+        let feel = Feel { coyote, wall_jump: Some(fx!(1)), fall: fx!(0.5), gravity: fx!(0.125), ..Feel::DEFAULT };
+        let mut hero = Character::new(boxed(60, 0, 10, 14), limits(), feel);
+        assert!(!hero.step(&ledge(), JUMP).unwrap().jumped, "it has never stood");
+        // A wall from x = 160 on, which ends below.
+        let level = TileMap::from_ascii("          #", &KINDS).unwrap();
+        for late in 250..260 {
+            let mut hero = Character::new(boxed(150, 0, 10, 14), limits(), feel);
+            let _ = hero.step(&level, RIGHT).unwrap();
+            let left = Input { run: fx!(-1), ..NOTHING };
+            for _ in 1..late {
+                assert!(!hero.step(&level, left).unwrap().wall);
+            }
+            let wall = hero.wall().is_some();
+            let jumped = hero.step(&level, Input { jump: true, ..left }).unwrap().jumped;
+            assert_eq!((wall, jumped), (late <= u32::from(coyote.min(253)) + 1, wall), "{coyote} {late}");
+        }
+    }
+}
+
 #[test]
 fn a_press_before_the_landing_counts_for_the_buffer() {
     let fall = |press: u32, feel| {

@@ -21,7 +21,8 @@ pub struct Walked<B> {
     /// Its `wall` is true if a wall still blocks after the last step: the sign to turn round. The
     /// face of a step is among its `hits` either way.
     pub moved: Moved<B>,
-    /// The floor that it stands on. Pass it to the next call.
+    /// The floor that it stands on. Pass it to the next call. For a round body on an edge it may be
+    /// the floor ahead: see [`Walker::walk`].
     pub floor: Option<Support>,
     /// Whether it walked on a floor or landed on one in this frame. If [`floor`](Self::floor) is
     /// `None`, it has left that floor again: for example, it landed on the edge of a platform and
@@ -69,9 +70,10 @@ impl Walker {
     /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which
     /// takes several frames, and the ground one radius farther on must not be higher than the
     /// step. So does a polygon by a foot that is narrower than its body. Their `floor` is then the
-    /// one that the step leads to. An edge that they meet no steeper than the slope limit is no
-    /// step. Snapping and steps treat one-way faces as every motion does: the faces hold bodies
-    /// that are entirely above them.
+    /// one that the step leads to. On the way down around an edge it is the floor ahead, which is
+    /// lower by up to the snap. There [`Mover::supported`] may find no floor. An edge that they
+    /// meet no steeper than the slope limit is no step. Snapping and steps treat one-way faces as
+    /// every motion does: the faces hold bodies that are entirely above them.
     ///
     /// Cost: on even ground, two sweeps over the cells under the motion. At most four legs with two
     /// sweeps each; trying a step takes up to ten more.
@@ -102,6 +104,7 @@ impl Walker {
     /// As [`Mover::move_and_slide`].
     ///
     /// [`Mover::move_and_slide`]: crate::Mover::move_and_slide
+    /// [`Mover::supported`]: crate::Mover::supported
     pub fn walk<W: World, B: Body>(
         &self,
         world: &W,

@@ -236,7 +236,9 @@ rays! {
         /// It follows the rules of the levels' own `cast_ray`, for the faces that
         /// [`features`](Self::features) shows. A ray along a floor that continues from level to
         /// level meets nothing. A ray along the very line between two solids that meet flush is in
-        /// neither. It stops if it reaches that line, but not if it starts on it.
+        /// neither. It stops if it reaches that line, but not if it starts on it. Nor does a ray
+        /// that starts on that line in another direction always stop, even from the line's end at
+        /// the surface. Start it a raw unit outside of the solid.
         ///
         /// Cost: that of both levels, and a look at the other level along the face for each hit.
         /// [`RayHit::cells`] counts the cells of the level that was hit.
