@@ -87,17 +87,17 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 81 220 | 5 944 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 93 950 | 6 184 | 3 688 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 122 540 | 6 160 | 4 416 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 152 | 3 832 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 876 | 4 792 |
+/// | boxes and circles | 81 180 | 5 944 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 93 914 | 6 168 | 3 672 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 122 532 | 6 152 | 4 408 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 144 | 3 824 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 868 | 4 784 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 209 978 |
-/// | fly and land, at most | 397 793 |
-/// | lie in nooks of slopes, none may sleep | 827 527 |
+/// | fly and land, mean | 210 172 |
+/// | fly and land, at most | 398 217 |
+/// | lie in nooks of slopes, none may sleep | 829 248 |
 /// | the same, if the scene [remembers](Self::remembering) | 54 165 |
 /// | sleep | 58 |
 /// <!-- costs:end -->
