@@ -12,7 +12,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 here=examples/gba
-accept=0 states=('ARM armv4t-none-eabi arm' 'Thumb thumbv4t-none-eabi thumb')
+accept=0 states=('ARM armv4t-none-eabi' 'Thumb thumbv4t-none-eabi')
 case "${*:-}" in
 '') ;;
 --short) states=("${states[0]}") ;;
@@ -32,15 +32,15 @@ game() {
     RUSTC_BOOTSTRAP=1 cargo run --quiet --release --package tilesat-gba --features console -Zbuild-std=core --target "$1" --bin game -- --keys "$2" "${@:3}"
 }
 
-# stale STATE TARGET: the patterns of hot/STATE that put nothing into fast RAM. Without this check
-# the lists would become longer and the game slower, one renamed function at a time.
+# stale TARGET: the patterns of its list that put nothing into fast RAM. Without this check the
+# lists would become longer and the game slower, one renamed function at a time.
 stale() {
-    local names pattern
-    names=$("$(rustc --print target-libdir)/../bin/llvm-nm" "$out/$2/release/game" | awk '$1 ~ /^03/ { print $NF }')
-    grep -o '\.\(text\|rodata\)\.[^ )]*' "$here/hot/$1/hot.x" | while read -r pattern; do
-        # The name of a section is that of its function, after ".text.".
-        grep -qx "${pattern//\*/.*}" <<<"$(sed 's/^/.text./p; s/^.text./.rodata./' <<<"$names")" ||
-            echo "hot/$1/hot.x: $pattern is in no name of fast RAM"
+    local list=$here/hot/${1%%v4t*}/hot.x sections pattern
+    # The name of a section is that of its function or constant, after ".text." or ".rodata.".
+    sections=$("$(rustc --print target-libdir)/../bin/llvm-nm" "$out/$1/release/game" |
+        awk '$1 ~ /^03/ { print ".text." $NF; print ".rodata." $NF }')
+    grep -o '\.\(text\|rodata\)\.[^ )]*' "$list" | while read -r pattern; do
+        grep -qx -- "${pattern//\*/.*}" <<<"$sections" || echo "$list: $pattern is in no name of fast RAM"
     done
 }
 
@@ -49,7 +49,7 @@ fresh=$out/cycles.txt
     rustc --version
     echo 'state of the core|bodies|frames|mean|most|late|stack|hash'
     for state in "${states[@]}"; do
-        read -r name target list <<<"$state"
+        read -r name target <<<"$state"
         for bodies in 32 64; do
             # Select at power-on doubles the bodies.
             before=$([[ $bodies == 64 ]] && echo 5:select || echo 5)
@@ -62,10 +62,7 @@ fresh=$out/cycles.txt
 } >"$fresh"
 cat "$fresh"
 
-missing=$(for state in "${states[@]}"; do
-    read -r name target list <<<"$state"
-    stale "$list" "$target"
-done)
+missing=$(for state in "${states[@]}"; do stale "${state#* }"; done)
 if [[ -n $missing ]]; then
     printf '%s\n' "$missing"
     exit 1

@@ -40,4 +40,4 @@ elf=$CARGO_TARGET_DIR/$target/release/game
     END {
         for (i = 1; i <= count; i++) if (samples[i])
             printf "%.8f\t%.2f\t%d\t%s\t%s\n", samples[i] / size[i], 100 * samples[i] / all, size[i], from[i] < 134217728 ? "RAM" : "ROM", name[i]
-    }' - "$CARGO_TARGET_DIR/samples.txt" | sort -rn | awk -F'\t' '{ sum += $2; bytes += $3; printf "%5.2f %% %6.2f %% %6d B %s  %s\n", $2, sum, $3, $4, $5 }'
+    }' - "$CARGO_TARGET_DIR/samples.txt" | sort -rn | awk -F'\t' '{ sum += $2; printf "%5.2f %% %6.2f %% %6d B %s  %s\n", $2, sum, $3, $4, $5 }'

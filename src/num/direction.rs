@@ -296,38 +296,6 @@ impl UnitVec2 {
         let (x, y) = self.raw();
         Vec2::from_raw(part(x, length.to_bits()), part(y, length.to_bits()))
     }
-
-    /// `v` turned by the angle from +x to this direction, each component rounded to nearest, halves
-    /// away from zero. It saturates.
-    ///
-    /// Turned and mirrored vectors give turned and mirrored bits. Turn the corners of a shape from
-    /// where you defined them, not from the last frame: roundings would add up. Cost: four
-    /// products.
-    ///
-    /// ```
-    /// use tilesat::{Axis, ConvexPolygon, Vec2, fx};
-    /// const SHIP: [Vec2; 3] = [Vec2::from_ints(10, 0), Vec2::from_ints(-6, 5), Vec2::from_ints(-6, -5)];
-    /// let heading = Axis::from_turns(fx!(0.25)).unit();
-    /// let ship = ConvexPolygon::<3>::new(&SHIP.map(|corner| Vec2::from_ints(50, 20) + heading.rotate(corner)))?;
-    /// assert!(ship.vertices().contains(&Vec2::from_ints(50, 30)));
-    /// # Ok::<(), tilesat::error::PolygonError>(())
-    /// ```
-    #[must_use]
-    #[doc(alias("turn", "transform"))]
-    pub const fn rotate(self, v: Vec2) -> Vec2 {
-        let ((c, s), (x, y)) = (self.raw(), v.raw());
-        Vec2::from_raw(near(imul(c, x), imul(s, y).wrapping_neg()), near(imul(s, x), imul(c, y)))
-    }
-}
-
-/// `(a + b) / 2^30`, rounded to nearest, halves away from zero; it saturates. Both parts are
-/// products with a component of a unit vector, so at most 2^61 in size.
-const fn near(a: i64, b: i64) -> i32 {
-    let sum = a.wrapping_add(b);
-    let size = (sum.unsigned_abs() + (1 << 29)) >> 30;
-    let limit = i32::MAX as u64;
-    let size = if size > limit { i32::MAX } else { size as i32 };
-    if sum < 0 { size.wrapping_neg() } else { size }
 }
 
 /// `unit * length / 2^30`, toward zero: |unit| is at most 2^30, so it is as large as the length at

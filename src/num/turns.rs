@@ -1,6 +1,6 @@
-//! Directions from angles.
+//! Directions from angles, and vectors that turn by a direction.
 
-use super::{Axis, Fx, umul};
+use super::{Axis, Fx, UnitVec2, Vec2, imul, umul, usqr};
 
 impl Axis {
     /// The direction at an angle in turns, from +x toward +y: a quarter is +y. About 2^30 long.
@@ -67,6 +67,40 @@ impl Axis {
     }
 }
 
+impl UnitVec2 {
+    /// `v` turned by the angle from +x to this direction, each component rounded to nearest, halves
+    /// away from zero. It saturates.
+    ///
+    /// Turned and mirrored vectors give turned and mirrored bits. Turn the corners of a shape from
+    /// where you defined them, not from the last frame: roundings would add up. Cost: four
+    /// products.
+    ///
+    /// ```
+    /// use tilesat::{Axis, ConvexPolygon, Vec2, fx};
+    /// const SHIP: [Vec2; 3] = [Vec2::from_ints(10, 0), Vec2::from_ints(-6, 5), Vec2::from_ints(-6, -5)];
+    /// let heading = Axis::from_turns(fx!(0.25)).unit();
+    /// let ship = ConvexPolygon::<3>::new(&SHIP.map(|corner| Vec2::from_ints(50, 20) + heading.rotate(corner)))?;
+    /// assert!(ship.vertices().contains(&Vec2::from_ints(50, 30)));
+    /// # Ok::<(), tilesat::error::PolygonError>(())
+    /// ```
+    #[must_use]
+    #[doc(alias("turn", "transform"))]
+    pub const fn rotate(self, v: Vec2) -> Vec2 {
+        let ((c, s), (x, y)) = (self.raw(), v.raw());
+        Vec2::from_raw(near(imul(c, x), imul(s, y).wrapping_neg()), near(imul(s, x), imul(c, y)))
+    }
+}
+
+/// `(a + b) / 2^30`, rounded to nearest, halves away from zero; it saturates. Both parts are
+/// products with a component of a unit vector, so at most 2^61 in size.
+const fn near(a: i64, b: i64) -> i32 {
+    let sum = a.wrapping_add(b);
+    let size = (sum.unsigned_abs() + (1 << 29)) >> 30;
+    let limit = i32::MAX as u64;
+    let size = if size > limit { i32::MAX } else { size as i32 };
+    if sum < 0 { size.wrapping_neg() } else { size }
+}
+
 /// `2^34 / (2 pi)`, parts of a turn per radian, and 32 bits of its fraction. Times a significand
 /// that is off by one part at most.
 const PARTS: [u32; 2] = [2_734_261_102, 1_313_084_713];
@@ -93,7 +127,7 @@ const fn quarter_sine(x: u32) -> i32 {
     if x == 1 << 30 {
         return 1 << 30;
     }
-    let square = (umul(x, x) >> 30) as u32;
+    let square = (usqr(x) >> 30) as u32;
     let [a1, a3, a5, a7, a9, a11] = SERIES;
     let sum = less(a1, less(a3, less(a5, less(a7, less(a9, a11, square), square), square), square), square);
     (umul(sum, x) >> 30) as i32

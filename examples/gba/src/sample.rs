@@ -5,7 +5,7 @@ use crate::println;
 use crate::register::{read32, write16, write32};
 
 const BUFFER: u32 = 0x0200_0000;
-/// The handler below stores no more.
+/// The handler stores no more.
 const MOST: u32 = 60_000;
 
 const TIMER: u32 = 0x0400_0108;
@@ -29,7 +29,7 @@ core::arch::global_asm!(
 sampler:
     mov r0, #0x02000000
     ldr r1, [r0]
-    ldr r2, =60000
+    ldr r2, ={most}
     cmp r1, r2
     addlo r1, r1, #1
     strlo r1, [r0]
@@ -37,11 +37,13 @@ sampler:
     strlo r3, [r0, r1, lsl #2]
     mov r0, #0x04000000
     add r0, r0, #0x200
-    mov r1, #0x20
+    mov r1, #{timer}
     strh r1, [r0, #2]
     bx lr
     .pool
-"#
+"#,
+    most = const MOST,
+    timer = const TIMER_2,
 );
 
 #[cfg(feature = "profile")]

@@ -17,6 +17,17 @@ pub enum Value {
 pub(crate) const CLASS: &str = "a class: make its members properties of the object";
 pub(crate) const LIST: &str = "a list: make its values properties of the object";
 
+impl Value {
+    /// Whether it is true. Old versions of Tiled had no types and wrote the word.
+    pub(crate) fn is_true(&self) -> bool {
+        match self {
+            Self::Bool(is) => *is,
+            Self::Text(text) => text.eq_ignore_ascii_case("true"),
+            Self::Number(_) | Self::Object(_) | Self::Lost(_) => false,
+        }
+    }
+}
+
 impl From<&serde_json::Value> for Value {
     fn from(value: &serde_json::Value) -> Self {
         match value {
@@ -35,14 +46,9 @@ impl From<&serde_json::Value> for Value {
 pub struct Properties(pub Vec<(String, Value)>);
 
 impl Properties {
-    /// The names of the true properties. Old versions of Tiled had no types and wrote the word.
+    /// The names of the true properties.
     pub fn marks(&self) -> impl Iterator<Item = &str> {
-        let is_true = |value: &Value| match value {
-            Value::Bool(is) => *is,
-            Value::Text(text) => text.eq_ignore_ascii_case("true"),
-            Value::Number(_) | Value::Object(_) | Value::Lost(_) => false,
-        };
-        self.0.iter().filter(move |(_, value)| is_true(value)).map(|(name, _)| name.as_str())
+        self.0.iter().filter(|(_, value)| value.is_true()).map(|(name, _)| name.as_str())
     }
 
     /// The names of numbers that are not 0. Some authors use them for true.

@@ -52,6 +52,9 @@ pub struct Part {
 }
 
 impl Tileset {
+    /// The longest side of a tile, in pixels. Images are smaller.
+    pub(crate) const MAX_SIDE: u32 = 1 << 16;
+
     /// Whether the tileset has this tile.
     pub fn has(&self, id: u32) -> bool {
         self.count.is_none_or(|count| id < count) || self.tiles.contains_key(&id)

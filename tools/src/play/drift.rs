@@ -59,15 +59,7 @@ impl Drift {
 
     /// Puts the player's feet at a point. Returns whether there is room for it.
     pub(super) fn start_at<W: World>(&mut self, world: &W, feet: Vec2) -> bool {
-        let Shape::Box(own) = self.actors[0].shape else { return false };
-        let half = own.size().raw();
-        let half = Vec2::from_raw(half.0 / 2, half.1 / 2);
-        let Ok(body) = Aabb::from_centre(feet - Vec2::from_raw(0, half.raw().1), half) else { return false };
-        let free = !world.overlaps_aabb(&body);
-        if free {
-            self.actors[0].shape = Shape::Box(body);
-        }
-        free
+        self.actors[0].stand_at(world, feet)
     }
 
     pub(super) fn bodies(&self) -> &[Actor; BODIES] {

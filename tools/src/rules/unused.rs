@@ -3,19 +3,25 @@
 use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write;
 
-use super::outline::{LeftOut, Outline};
+use super::outline::{LeftOut, Outline, Title};
 use super::words::{COLLISION, GUESS};
 use super::{kind::Kind, traits, words};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Placed};
 use crate::model::object::{Form, Object};
-use crate::model::property::{Properties, Value};
+use crate::model::property::Value;
 
 /// The most names of a line.
 const MOST: usize = 12;
 
 /// How often each name occurs.
 type Counts<'a> = BTreeMap<&'a str, usize>;
+/// Objects, by their layer and id.
+type Titles<'a> = HashSet<(&'a str, u32)>;
+
+fn key(title: &Title) -> (&str, u32) {
+    (&title.layer, title.id)
+}
 
 /// A line for each owner of properties that are in no output, and for each layer whose objects lose
 /// a text or a rotation.
@@ -35,17 +41,15 @@ pub(super) fn lines(map: &Map, outlines: &[Outline], left_out: &[LeftOut]) -> Ve
             counted(tiles.flat_map(|(_, tile)| &tile.properties.0).filter(|(name, value)| !of_tile(name, value)));
         lines.extend(line(&format!("of tiles of tileset '{}'", set.name), &counts));
     }
-    let titles =
-        |titles: &mut dyn Iterator<Item = (u32, &str)>| titles.map(|(id, layer)| (layer.to_owned(), id)).collect();
-    let solid: HashSet<(String, u32)> = titles(&mut outlines.iter().map(|o| (o.title.id, o.title.layer.as_str())));
+    let solid: Titles<'_> = outlines.iter().map(|outline| key(&outline.title)).collect();
     let listed = left_out.iter().filter(|object| object.is_listed());
-    let listed: HashSet<(String, u32)> = titles(&mut listed.map(|o| (o.title.id, o.title.layer.as_str())));
+    let listed: Titles<'_> = listed.map(|object| key(&object.title)).collect();
     for layer in &map.layers {
         let own = counted(layer.properties.0.iter().filter(|(name, value)| !is_rule(name, value)));
         lines.extend(line(&format!("of layer '{}'", layer.name), &own));
         let Content::Objects(objects) = &layer.content else { continue };
-        let among = |set: &HashSet<(String, u32)>| -> Vec<&Object> {
-            objects.iter().filter(|object| set.contains(&(layer.name.clone(), object.id))).collect()
+        let among = |titles: &Titles<'_>| -> Vec<&Object> {
+            objects.iter().filter(|object| titles.contains(&(layer.name.as_str(), object.id))).collect()
         };
         let of_solid = among(&solid);
         let properties = of_solid.iter().flat_map(|object| object.properties.0.iter().chain(&object.fields.0));
@@ -118,23 +122,19 @@ fn is_set(value: &Value) -> bool {
     !matches!(value, Value::Bool(false)) && !matches!(value, Value::Text(text) if text.eq_ignore_ascii_case("false"))
 }
 
-fn is_true(name: &str, value: &Value) -> bool {
-    Properties(vec![(name.to_owned(), value.clone())]).marks().count() > 0
-}
-
 /// Whether a property of a layer, a group or a map says nothing, or what is solid.
 fn is_rule(name: &str, value: &Value) -> bool {
     let says = words::has(name, COLLISION) || words::has(name, GUESS) || Kind::from_name(name).is_some();
-    !is_set(value) || is_true(name, value) && (says || traits::shape(name).is_some())
+    !is_set(value) || value.is_true() && (says || traits::shape(name).is_some())
 }
 
 /// True properties of tiles are flags or rules.
 fn of_tile(name: &str, value: &Value) -> bool {
     let shape = ["shape", "npp"].iter().any(|known| name.eq_ignore_ascii_case(known));
     let one = matches!(value, Value::Number(_)) && traits::shape(name).is_some();
-    !is_set(value) || is_true(name, value) || shape || one
+    !is_set(value) || value.is_true() || shape || one
 }
 
 fn of_object(name: &str, value: &Value) -> bool {
-    !is_set(value) || is_true(name, value) || name.eq_ignore_ascii_case("kind")
+    !is_set(value) || value.is_true() || name.eq_ignore_ascii_case("kind")
 }

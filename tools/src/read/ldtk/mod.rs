@@ -20,8 +20,6 @@ type Result<T> = std::result::Result<T, String>;
 
 /// The limit for all layers of a level together: 4096 x 4096.
 const MAX_CELLS: u64 = 1 << 24;
-/// The longest side of a tile, in pixels. Images are smaller.
-const MAX_SIDE: u32 = 1 << 16;
 /// The limit for all levels of a project together.
 const MAX_PROJECT: u64 = 1 << 25;
 
@@ -177,8 +175,8 @@ impl Reader<'_> {
                 let known = self.definitions.tilesets.iter().position(|set| set.uid == uid);
                 let index = known.ok_or_else(|| of_layer(format!("defs.tilesets has no uid {uid}")))?;
                 let own = Some(self.definitions.tilesets[index].tile_grid_size).filter(|own| *own > 0);
-                if let Some(own) = own.filter(|own| *own > MAX_SIDE) {
-                    return Err(of_layer(format!("tiles of {own} pixels; a side has at most {MAX_SIDE}")));
+                if let Some(own) = own.filter(|own| *own > Tileset::MAX_SIDE) {
+                    return Err(of_layer(format!("tiles of {own} pixels; a side has at most {}", Tileset::MAX_SIDE)));
                 }
                 let set = Set { index, side: own.unwrap_or(side.into()) };
                 read.extend(tiles::read(layer, set, (definition, MAX_CELLS), &mut palette, &mut notes));

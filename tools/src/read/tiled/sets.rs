@@ -20,9 +20,6 @@ const MAX_SETS: usize = 1000;
 /// The greatest id of a tile, and the most described tiles in all tilesets of a map.
 const MAX_TILES: u32 = 1 << 20;
 
-/// The longest side of a tile, in pixels. Images are smaller.
-const MAX_SIDE: u32 = 1 << 16;
-
 const HORIZONTAL: u32 = 1 << 31;
 const VERTICAL: u32 = 1 << 30;
 const DIAGONAL: u32 = 1 << 29;
@@ -168,8 +165,8 @@ fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &
         return Err(of_set(format!("more than {MAX_TILES} tiles")));
     }
     let fits = |width: u32, height: u32| match width.max(height) {
-        0..=MAX_SIDE => Ok(()),
-        _ => Err(of_set(format!("tiles of {width}x{height} pixels; a side has at most {MAX_SIDE}"))),
+        0..=Tileset::MAX_SIDE => Ok(()),
+        _ => Err(of_set(format!("tiles of {width}x{height} pixels; a side has at most {}", Tileset::MAX_SIDE))),
     };
     fits(set.tilewidth, set.tileheight)?;
     let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));

@@ -2,8 +2,8 @@
 
 use tilesat::motion::{Hit, MoveError, Moved, Mover, Response};
 use tilesat::num::DOMAIN;
-use tilesat::world::{ShapeSet, TileMap};
-use tilesat::{Aabb, Axis, Circle, Vec2};
+use tilesat::world::{ShapeSet, TileMap, World};
+use tilesat::{Aabb, Axis, Circle, Fx, Vec2};
 
 use super::FrameReport;
 
@@ -49,6 +49,19 @@ pub struct Outcome {
 impl Actor {
     pub fn new(shape: Shape, response: Response, heavy: bool) -> Self {
         Self { shape, velocity: Vec2::ZERO, asked: Vec2::ZERO, response, heavy, hit: None }
+    }
+
+    /// Puts a box with its feet, the middle of its lower side, at a point. Returns whether it is a
+    /// box and has room there.
+    pub fn stand_at<W: World>(&mut self, world: &W, feet: Vec2) -> bool {
+        let Shape::Box(own) = self.shape else { return false };
+        let half = own.size() / 2;
+        let Ok(body) = Aabb::from_centre(feet - Vec2::new(Fx::ZERO, half.y), half) else { return false };
+        let free = !world.overlaps_aabb(&body);
+        if free {
+            self.shape = Shape::Box(body);
+        }
+        free
     }
 
     /// Moves by the velocity for one frame.

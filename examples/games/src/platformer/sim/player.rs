@@ -2,7 +2,7 @@
 
 use tilesat::motion::Response;
 use tilesat::world::{Cell, ShapeSet, TileKind, TileMap, TileShape};
-use tilesat::{Aabb, Fx, Vec2};
+use tilesat::{Aabb, Vec2};
 
 use super::actor::{Actor, Outcome, Shape};
 use super::rng::Rng;
@@ -81,14 +81,11 @@ impl Player {
 
     /// Starts with the feet at a point, if it is free.
     pub(super) fn start_at<S: ShapeSet>(&mut self, map: &TileMap<'_, S>, actor: &mut Actor, feet: Vec2) -> bool {
-        let half = (self.start.max() - self.start.min()) / 2;
-        let Ok(start) = Aabb::from_centre(feet - Vec2::new(Fx::ZERO, half.y), half) else { return false };
-        if map.overlaps(&start) {
-            return false;
+        let stands = actor.stand_at(map, feet);
+        if let Shape::Box(start) = actor.shape {
+            (self.start, self.anchor) = (start, start.min().raw().0);
         }
-        (self.start, self.anchor) = (start, start.min().raw().0);
-        actor.shape = Shape::Box(start);
-        true
+        stands
     }
 
     pub(super) fn score(&self) -> Score {
