@@ -289,7 +289,7 @@ fn bodies_move_as_through_the_union() {
     assert!(hits > moves / 8);
 }
 
-/// Rays that start outside both maps see the same as in the one map of units.
+/// Rays see the same as in the one map of units, wherever they start.
 #[test]
 fn rays_see_the_union() {
     let mut random = Random::new(33);
@@ -314,10 +314,6 @@ fn rays_see_the_union() {
             };
             let (o, e) = (place(&mut random), place(&mut random));
             let e = [e, e, (o.0, e.1), (e.0, o.1)][random.below(4) as usize];
-            let start = Aabb::new(vec2(o), vec2(o)).unwrap();
-            if whole.touches(&start) {
-                continue;
-            }
             let motion = vec2(add(e, o, -1));
             let got = pair.cast_ray(vec2(o), motion, Inside::Hit).unwrap();
             let expected = whole.cast_ray(vec2(o), motion, Inside::Hit).unwrap();

@@ -11,6 +11,7 @@ mod convex;
 mod convex_contacts;
 mod features;
 mod joined;
+mod joined_starts;
 mod map;
 mod mutants;
 mod occupancy;

@@ -21,9 +21,29 @@ use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::level::{Feature, Geometry, World, normal};
 
+/// Where a level is in a pair, or in a pair of pairs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PartPath {
+    /// The last bits of its features' sources.
+    bits: u8,
+    depth: u32,
+}
+
+impl PartPath {
+    /// The place of a part of the level at this place: 0 for the first, 1 for the second.
+    pub(super) fn of_part(self, part: u8) -> Self {
+        Self { bits: self.bits | part.wrapping_shl(self.depth), depth: self.depth.wrapping_add(1) }
+    }
+
+    /// The source of a feature of the level here.
+    pub(super) fn source(self, own: u8) -> u8 {
+        own.wrapping_shl(self.depth) | self.bits
+    }
+}
+
 /// The queries of the rules to the other level. They go through a pointer, because each level is
 /// the other of the other one: a copy of the rules for each took 1.7 KB of flash.
-pub(in crate::world) trait Beside {
+pub trait Beside {
     fn touches_at(&self, p: Raw) -> bool;
     fn overlaps_at(&self, p: Raw) -> bool;
     /// Visits the features near a region, until a visit returns `false`.
@@ -75,7 +95,7 @@ pub(in crate::world) fn shown<J: World>(mut feature: Feature, other: &dyn Beside
     Some(feature)
 }
 
-fn point(p: Raw) -> Aabb {
+pub(super) fn point(p: Raw) -> Aabb {
     Aabb::from_raw_unchecked(p, p)
 }
 
@@ -117,16 +137,16 @@ fn clipped((e_in, e_out): (Axis, Axis), h: Axis) -> Option<(Axis, Axis)> {
 }
 
 /// A face's segment.
-struct FaceSegment {
-    a: Raw,
-    b: Raw,
-    dir: Axis,
+pub(super) struct FaceSegment {
+    pub(super) a: Raw,
+    pub(super) b: Raw,
+    pub(super) dir: Axis,
     /// A lattice point near its middle.
     middle: Raw,
 }
 
 impl FaceSegment {
-    fn new(a: Raw, dir: Axis, len: i32) -> Self {
+    pub(super) fn new(a: Raw, dir: Axis, len: i32) -> Self {
         // Both ends are inside the domain, so the products are.
         let at =
             |k: i32| Raw { x: a.x.wrapping_add(dir.x.wrapping_mul(k)), y: a.y.wrapping_add(dir.y.wrapping_mul(k)) };
@@ -151,6 +171,11 @@ impl FaceSegment {
             self.dir.dot(Axis::new(d.x, d.y))
         };
         along(self.a) > 0 && along(self.b) < 0
+    }
+
+    /// Whether a point lies on the face, ends included.
+    pub(super) fn holds(&self, p: Raw) -> bool {
+        self.in_front(p) == 0 && (p == self.a || p == self.b || self.spans(p))
     }
 
     /// The information of another level's face about the points just in front of this one.
@@ -232,7 +257,7 @@ fn covered<J: World>(edge: &FaceSegment, other: &dyn Beside) -> bool {
 ///
 /// From the direction `along`, tilted to the front by an infinitesimal, the next part of the
 /// surface to the left has the place on its right.
-fn front_of_end<J: World>(p: Raw, along: Axis, n: Axis, other: &dyn Beside) -> Option<bool> {
+pub(super) fn front_of_end<J: World>(p: Raw, along: Axis, n: Axis, other: &dyn Beside) -> Option<bool> {
     if !other.touches_at(p) {
         return Some(false);
     }
@@ -323,7 +348,7 @@ fn goes_on<J: World>(p: Raw, dir: Axis, inward: i32, other: &dyn Beside) -> bool
 
 /// Whether a ray from `o` by `d` that meets a piece meets a part of it that the other level hides:
 /// a face that is not there beside it, or an end of a face that is covered just there.
-pub(in crate::world) fn hides<J: World>(geometry: &Geometry, o: Raw, d: Raw, other: &dyn Beside) -> bool {
+pub(super) fn hides<J: World>(geometry: &Geometry, o: Raw, d: Raw, other: &dyn Beside) -> bool {
     let Geometry::Face { a, dir, len, .. } = *geometry else { return false };
     let edge = FaceSegment::new(Raw::of(a), dir, len);
     if covered::<J>(&edge, other) {
@@ -332,4 +357,11 @@ pub(in crate::world) fn hides<J: World>(geometry: &Geometry, o: Raw, d: Raw, oth
     let hidden =
         |p: Raw, along: Axis| o.sub(p).cross(d) == 0 && front_of_end::<J>(p, along, normal(dir), other) == Some(true);
     hidden(edge.a, dir) || hidden(edge.b, dir.reversed())
+}
+
+/// The end of a face through which a ray from `o` by `d` meets it.
+pub(super) fn end_met(geometry: &Geometry, o: Raw, d: Raw) -> Option<Raw> {
+    let Geometry::Face { a, dir, len, .. } = *geometry else { return None };
+    let edge = FaceSegment::new(Raw::of(a), dir, len);
+    [edge.a, edge.b].into_iter().find(|&p| o.sub(p).cross(d) == 0)
 }

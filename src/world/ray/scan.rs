@@ -7,6 +7,7 @@ use crate::num::{Axis, Raw, Toi, Vec2, mul_div, mul_div_wide, umul};
 use crate::query::Inside;
 use crate::world::cell::Cell;
 use crate::world::grid::Grid;
+use crate::world::joined::hidden::{Beside, PartPath};
 use crate::world::level::{Feature, Geometry, World, face_against};
 
 /// A level that lists the hits of a ray with their exact moments. Public in a private module,
@@ -20,6 +21,14 @@ pub trait RayWorld: World {
     /// # Errors
     /// [`RangeError`] if the start or the end is outside the domain.
     fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError>;
+
+    /// Visits the levels of which this one is joined, each with its place.
+    fn parts<'w>(&'w self, path: PartPath, visit: &mut dyn FnMut(PartPath, &'w dyn Beside))
+    where
+        Self: Sized,
+    {
+        visit(path, self);
+    }
 }
 
 /// See [`RayWorld`].
@@ -241,21 +250,29 @@ impl<'w, L: RayLevel> Scan<'w, L> {
         if !self.level.holds_start(self.o, &self.walk) {
             return None;
         }
-        let (x, y) = (self.walk.x, self.walk.y);
-        let axis =
-            if y.size > x.size { Axis::new(0, y.step.wrapping_neg()) } else { Axis::new(x.step.wrapping_neg(), 0) };
-        Some(RayHit {
-            toi: Toi::ZERO,
-            point: self.o.vec2(),
-            axis,
-            cell: Cell::of(x.cell, y.cell),
-            index: 0,
-            flags: self.level.flags(x.cell, y.cell),
-            one_way: false,
-            source: 0,
-            inside: true,
-            cells: self.walk.cells,
-        })
+        let (x, y) = (self.walk.x.cell, self.walk.y.cell);
+        Some(start_inside(self.o, self.d, (Cell::of(x, y), self.level.flags(x, y)), self.walk.cells))
+    }
+}
+
+/// The hit of a start inside of a solid: against the longer component of the motion.
+pub(in crate::world) fn start_inside(o: Raw, d: Raw, (cell, flags): (Cell, u8), cells: u32) -> RayHit {
+    let axis = if d.y.unsigned_abs() > d.x.unsigned_abs() {
+        Axis::new(0, d.y.signum().wrapping_neg())
+    } else {
+        Axis::new(if d.x > 0 { -1 } else { 1 }, 0)
+    };
+    RayHit {
+        toi: Toi::ZERO,
+        point: o.vec2(),
+        axis,
+        cell,
+        index: 0,
+        flags,
+        one_way: false,
+        source: 0,
+        inside: true,
+        cells,
     }
 }
 

@@ -6,7 +6,6 @@
 use super::Solids;
 use super::convex::ConvexSolids;
 use super::convex_solid::{ConvexSolid, SolidShape};
-use super::ray::start_inside;
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64, sqr64, sub128, usqr};
 use crate::query::cast::moment::along;
@@ -14,7 +13,7 @@ use crate::query::{Core, meet as boxes, meets};
 use crate::shape::Aabb;
 use crate::world::level::{Geometry, precedes};
 use crate::world::measure::product;
-use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_at};
+use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_at, start_inside};
 use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
 use core::cmp::Ordering;
 

@@ -8,9 +8,8 @@ use super::Solids;
 use super::features::{PieceSet, faces_against, full, in_front, quadrants, quadrants_of};
 use super::solid::Solid;
 use crate::error::RangeError;
-use crate::num::{Axis, Raw, Toi, Vec2, imul};
-use crate::world::cell::Cell;
-use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_of, straight};
+use crate::num::{Raw, Vec2, imul};
+use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_of, start_inside, straight};
 use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
 
 impl RayPieces for Solids<'_> {
@@ -180,27 +179,6 @@ impl SolidRayHits<'_> {
         let beside = full(self.all.list()).filter(|solid| quadrants_of(solid, self.o) != 0);
         let solid = beside.min_by_key(|solid| (quadrants_of(solid, self.o) != 0xf, solid.key()))?;
         Some(start_inside(self.o, self.d, (solid.cell(), solid.flags()), self.cells))
-    }
-}
-
-/// The hit of a start inside of a solid: against the longer component of the motion.
-pub(super) fn start_inside(o: Raw, d: Raw, (cell, flags): (Cell, u8), cells: u32) -> RayHit {
-    let axis = if d.y.unsigned_abs() > d.x.unsigned_abs() {
-        Axis::new(0, d.y.signum().wrapping_neg())
-    } else {
-        Axis::new(if d.x > 0 { -1 } else { 1 }, 0)
-    };
-    RayHit {
-        toi: Toi::ZERO,
-        point: o.vec2(),
-        axis,
-        cell,
-        index: 0,
-        flags,
-        one_way: false,
-        source: 0,
-        inside: true,
-        cells,
     }
 }
 
