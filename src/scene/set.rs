@@ -247,7 +247,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Adds a body, awake, and wakes the bodies that it touches. A sensor wakes no other body.
     ///
     /// The call does not look at the level. A body that overlaps the level stays there, and each
-    /// step reports it as [`Held`](super::SceneEvent::Held). If that can happen, test
+    /// step that would move it reports it as [`Held`](super::SceneEvent::Held). A body that floats
+    /// at rest is not tested, so it is not reported. If that can happen, test
     /// [`Shape::overlaps_level`] first.
     ///
     /// # Errors

@@ -8,7 +8,8 @@ use tilesat::prelude::*;
 use tilesat::shape::AnyShape;
 use tilesat::world::ConvexSolid;
 use tilesat::{
-    Aabb, AllShapes, Axis, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, Quantity, RangeError, Solid, TileMap, Vec2,
+    Aabb, AllShapes, Axis, Capsule, Circle, ConvexPolygon, Fx, Mover, OrientedBox, Quantity, RangeError, Solid,
+    TileMap, Vec2,
 };
 use tilesat_judge::solids::convex::polygons;
 use tilesat_judge::solids::shapes::{Figure, Rider, Scene, Seen, plank};
@@ -16,7 +17,7 @@ use tilesat_judge::solids::ticks::{
     ALL, CELL, FOLLOW, MOVER, SIDE, balls, boxes, capsules, grid, solids, steer, tiles,
 };
 use tilesat_judge::solids::twins::{BLOCKS, KINDS, mirrored_level};
-use tilesat_judge::solids::{disc, rect, vec2};
+use tilesat_judge::solids::{disc, raw, rect, vec2};
 use tilesat_judge::{Random, cases};
 
 fn play(kinds: i64, seed: u64, count: u64, seen: &mut Seen) {
@@ -318,6 +319,28 @@ fn nobody_gets_to_the_other_side_of_a_turning_plank() {
             let next = solid[0].next();
             let side = next.along().perp_dot(ridden.body.centre() - next.centre());
             assert!(side < 0, "{half} x {thick} by {degrees} degrees: {:?}", ridden.body.centre());
+        }
+    }
+}
+
+/// A box stands on a plank that turns and on a block that rises. The one whose part under the box
+/// rises more pushes it, whichever end of the plank that is.
+#[test]
+fn the_part_that_pushes_decides_which_solid_is_named() {
+    let mover = Mover::new();
+    let level = TileMap::<AllShapes>::of(&[0; 36], grid((0, 0)), &KINDS).unwrap();
+    let plank = |rise| -> AnyShape<4> {
+        OrientedBox::new(Vec2::from_ints(0, 4), Vec2::from_ints(30, 4), Axis::new(60, rise)).unwrap().into()
+    };
+    for (side, rise) in [(1, -12), (-1, 12)] {
+        let at = |x: i16| Vec2::from_ints(side * x, 0);
+        let block: AnyShape<4> = rect(raw(at(20)), raw(at(26) + Vec2::from_ints(0, 8))).into();
+        let body = rect(raw(at(20)), raw(at(26) - Vec2::from_ints(0, 6)));
+        let seesaw = ConvexSolid::new(plank(0), 1).unwrap().with_turn(plank(rise)).unwrap();
+        for (up, named) in [(1, 1), (2, 1), (8, 0)] {
+            let block = ConvexSolid::new(block, 0).unwrap().with_motion(Vec2::from_ints(0, -up)).unwrap();
+            let ridden = mover.ride_convex(&level, &[seesaw, block], &body, Fx::ONE).unwrap();
+            assert!(matches!(ridden.ride, Ride::Pushed { by, .. } if by == named), "{side}, {up}: {ridden:?}");
         }
     }
 }

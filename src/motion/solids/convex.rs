@@ -296,7 +296,7 @@ fn on_peak<B: Body>(body: &B, p: Raw, each: &mut dyn FnMut(Axis)) {
 /// Along x and y exactly: corners differ by less than 2^29 along the face, so of two at unequal
 /// heights the lower one is farther in both directions. Otherwise a side counts that is within 1 :
 /// 512 of the face.
-fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
+pub(super) fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
     let size = n.x.unsigned_abs().max(n.y.unsigned_abs());
     let (up, slack) = if n.x == 0 || n.y == 0 { (29, 29) } else { (leading_zeros32(size) & 31, 9) };
     // Below 2^28, or 2^29 along x and y.

@@ -1,5 +1,6 @@
 //! Solids that turn: how their corners move, and how they push a body.
 
+use super::convex::lowest;
 use super::push::Press;
 use super::room::HalfPlane;
 use crate::motion::body::Body;
@@ -116,17 +117,19 @@ impl<'a, S: SolidShape> Turn<'a, S> {
                 beside(Axis::new(m.x, m.y));
             }
         }
-        if is_clear { None } else { best.and_then(|front| self.bound(&front)) }
+        if is_clear { None } else { best.and_then(|front| self.bound(body, &front)) }
     }
 
     /// The bound on a displacement, with the body in front of the plane by its radius.
-    fn bound(&self, front: &TurnFront) -> Option<(Feature, HalfPlane, Press)> {
+    fn bound<B: Body>(&self, body: &B, front: &TurnFront) -> Option<(Feature, HalfPlane, Press)> {
         let (n, r) = (front.next_n, front.gap.radius);
         let out = if r == 0 { Raw::ZERO } else { toward(Raw { x: n.x, y: n.y }, r) };
         let out = out.add(Raw { x: out.x.signum(), y: out.y.signum() });
         let index = (front.corner as u16).wrapping_mul(5).wrapping_add(u16::from(!front.face));
         let feature = self.solid.border(&self.here).piece(index, self.solid.whole())?;
-        let press = Press::of::<true>(self.solid.key(), self.of_corner(front.corner), n);
+        // The ends of a face may move in opposite directions.
+        let (first, last) = lowest(body, front.n);
+        let press = Press::of::<true>(self.solid.key(), self.of_contact(&feature, first, last), n);
         Some((feature, HalfPlane { normal: n, at: front.to.add(out) }, press))
     }
 }

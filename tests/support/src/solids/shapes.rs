@@ -281,7 +281,11 @@ impl<W: World> Scene<'_, W> {
         assert_eq!(ask(&other, self.level, body), ridden, "shuffled {}", case());
         let other: Vec<_> = list.iter().map(mirrored).collect();
         let twin = ask(&other, self.mirror, &body.mirrored());
-        assert_eq!((twin.body, twin.floor), (ridden.body.mirrored(), ridden.floor), "mirrored {}\n{twin:?}", case());
+        let of = |ridden: &Ridden<B>| match ridden.ride {
+            Ride::Pushed { by, .. } | Ride::Squashed { by, .. } => (ridden.floor, Some(by)),
+            Ride::Free | Ride::Carried => (ridden.floor, None),
+        };
+        assert_eq!((twin.body, of(&twin)), (ridden.body.mirrored(), of(&ridden)), "mirrored {}\n{twin:?}", case());
         (!squashed).then_some(ridden)
     }
 
