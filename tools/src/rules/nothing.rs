@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::cells::Sheet;
 use super::options::Options;
 use crate::model::map::{Content, Map, Placed};
+use crate::model::object::{Form, Object};
 
 /// The most names in a list.
 const MOST: usize = 20;
@@ -50,10 +51,23 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     if !objects.is_empty() {
         let _ = write!(why, "; the object layers are {}: add --objects NAME if they are solid", list(&objects));
     }
+    if only_marks(map) {
+        why += "; points and texts of Tiled's collision editor are not solid: draw rectangles or polygons there";
+    }
     if map.values && map.palette.iter().any(|placed| matches!(placed, Placed::Value { .. })) {
         why += "; --ignore-level NAME skips a level";
     }
     Err(why)
+}
+
+/// Whether a tile in a layer has collision shapes without an extent only.
+fn only_marks(map: &Map) -> bool {
+    let shapes = |placed: &Placed| match placed {
+        Placed::Tile { tileset, id, .. } => map.tilesets[*tileset].tiles.get(id).map(|tile| tile.shapes.as_slice()),
+        Placed::Nothing | Placed::Value { .. } => None,
+    };
+    let is_mark = |shape: &Object| matches!(shape.form, Form::Point | Form::Text);
+    map.palette.iter().filter_map(shapes).any(|shapes| !shapes.is_empty() && shapes.iter().all(is_mark))
 }
 
 fn list(names: &[String]) -> String {
