@@ -25,6 +25,9 @@ struct Line<'a> {
     flags: Vec<(&'a str, u64)>,
     rules: Vec<Used<'a>>,
     ignored: Vec<String>,
+    unused: Vec<String>,
+    warnings: Vec<String>,
+    notes: &'a [String],
     /// Those for the game.
     objects: Vec<things::Thing<'a>>,
     flash_bytes: usize,
@@ -68,6 +71,9 @@ impl Baked {
             flags: self.flags.iter().map(|name| (name.as_str(), 0)).collect(),
             rules: Vec::new(),
             ignored: self.ignored(),
+            unused: self.lost(),
+            warnings: self.warnings(),
+            notes: &self.ground.notes,
             objects: things::things(&self.ground.left_out),
             flash_bytes: self.flash(),
         };
@@ -124,11 +130,16 @@ impl Baked {
         self.warnings().into_iter().chain(objects).chain(lost).chain(guesses).collect()
     }
 
-    /// Drawings that are in no output.
+    /// Drawings and settings that are in no output.
     pub fn unused(&self) -> Vec<String> {
         let silent = self.left_out(|object| !object.is_listed() && !object.suspicious);
+        silent.into_iter().chain(self.lost()).collect()
+    }
+
+    /// What the author has set, and no output holds.
+    fn lost(&self) -> Vec<String> {
         let lost = things::lost(&self.ground.left_out);
-        silent.into_iter().chain(lost).chain(self.ground.unused.iter().cloned()).collect()
+        lost.into_iter().chain(self.ground.unused.iter().cloned()).collect()
     }
 
     /// Bytes of tiles, of the table of kinds and of segments.
