@@ -99,6 +99,32 @@ fn no_files() {
     }
 }
 
+/// Polygons of tiles a million pixels away: no coordinate of the tools reaches so far.
+#[test]
+fn polygons_far_away() {
+    let shape =
+        r#"<objectgroup><object id="1" x="0" y="0"><polygon points="0,16 16,11 16,16"/></object></objectgroup>"#;
+    let tile = format!(r#"<tile id="0">{shape}</tile>"#);
+    let level = |x: i32, y: i32| {
+        let chunk = format!(r#"<chunk x="{x}" y="{y}" width="1" height="1">1</chunk>"#);
+        let level = rows(&["#"]).replace(">1</data>", &format!(">{chunk}</data>"));
+        level.replace("infinite=\"0\"", "infinite=\"1\"").replace(r#"<tile id="0" type="Solid"/>"#, &tile)
+    };
+    // 999 744 pixels are the first that are refused.
+    for (x, y) in [(62_484, 0), (-62_484, 0), (0, 62_484), (0, -62_484)] {
+        let why = format!(
+            "layer 'World': its tile in column {x}, row {y} is no shape of the library, and a million pixels from the \
+             origin; --solid NAME makes tiles of a name full"
+        );
+        refused(scratch("limits", "far.tmx", level(x, y)), &why);
+        let nearer = scratch("limits", "nearer.tmx", level(x - x.signum(), y - y.signum()));
+        let ran = support::run("bake", &nearer, "--json");
+        assert!(ran.status == 0 && ran.out.contains("\"segments\":3"), "{ran:?}");
+        let ran = support::run("bake", scratch("limits", "full.tmx", level(x, y)), "--json --solid t:0");
+        assert!(ran.status == 0 && ran.out.contains("\"solid\":1"), "{ran:?}");
+    }
+}
+
 /// As many objects and tiles as a map of segments can hold.
 #[test]
 fn many_rectangles() {
