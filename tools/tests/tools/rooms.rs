@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use tilesat::world::World as _;
 use tilesat::{
@@ -234,6 +235,48 @@ fn a_polygon_of_forty_thousand_pixels() {
             let probe = |y: i32| map.overlaps_circle(&Circle::new(Vec2::from_raw(at, y), Fx::from_bits(1)).unwrap());
             assert!(probe(top + 8) && !probe(top - 8) && probe((60 << 16) + 5), "{k}");
             assert!(map.touches_circle(&Circle::new(Vec2::from_raw(at, 2 << 16), Fx::ZERO).unwrap()));
+        }
+    }
+}
+
+/// Hundreds of polygons that end far beyond one border: strips around each other, open to the left.
+#[test]
+fn polygons_at_one_border() {
+    let strip = |i: i32| {
+        let (top, bottom, right) = (100 + 4 * i, 4000 - 4 * i, 3900 - 4 * i);
+        let points = [
+            (1000, top),
+            (right, top),
+            (right, bottom),
+            (1000, bottom),
+            (1000, bottom - 2),
+            (right - 2, bottom - 2),
+            (right - 2, top + 2),
+            (1000, top + 2),
+        ];
+        let points = points.map(|(x, y)| format!("{x},{y}")).join(" ");
+        format!(r#"<object id="{}" x="0" y="0"><polygon points="{points}"/></object>"#, i + 1)
+    };
+    let list: String = (0..400).map(strip).collect();
+    let cells = vec!["0"; 256].join(",");
+    let text = map(16, 16, &cells, &list)
+        .replace("tilewidth=\"16\" tileheight=\"16\"", "tilewidth=\"256\" tileheight=\"256\"");
+    let cut = Cut { room: Some((8, 16)), ..Cut::default() };
+    let start = Instant::now();
+    let world = world(&scratch("rooms", "strips.tmx", text), &cut).unwrap();
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+    for (room, x) in world.rooms.iter().zip([0, 2048]) {
+        let map = SegmentMap::from_bytes(room.segments.as_ref().unwrap()).unwrap();
+        let probe = |at: i32, y: i32| {
+            let at = Vec2::from_ints((at - x) as i16, y as i16);
+            map.overlaps_circle(&Circle::new(at, Fx::from_bits(1)).unwrap())
+        };
+        // In each strip, and between it and the next one; up to 256 pixels into the next room.
+        for i in 0..400 {
+            for at in [1500, 2000, 2100, 2047 + 256].into_iter().filter(|at| *at < 3898 - 4 * i) {
+                assert!(probe(at, 101 + 4 * i) && probe(at, 3999 - 4 * i), "{at} {i}");
+                assert!(!probe(at, 103 + 4 * i) && !probe(at, 3997 - 4 * i), "{at} {i}");
+            }
         }
     }
 }
