@@ -1,8 +1,6 @@
 //! The polygons that a room needs: those that reach it or its apron. Their edges there are as
 //! drawn.
 
-use tilesat::Fx;
-
 use super::Baked;
 use super::part::Part;
 use crate::bake::segments::Shapes;
@@ -28,7 +26,8 @@ pub(super) fn of(parts: &[Part], room: &Baked, cell: u16, apron: u16, flags: &mu
     if near.is_empty() {
         return Ok(None);
     }
-    Shapes::of(&near, flags)?.build(&near, Fx::from_num(cell)).map(Some)
+    let shapes = Shapes::of(&near, flags)?;
+    shapes.build(&near, shapes.cell(cell), "use smaller rooms").map(Some)
 }
 
 fn moved(outline: &Outline, by: Point) -> Outline {
@@ -39,7 +38,7 @@ fn moved(outline: &Outline, by: Point) -> Outline {
 /// This many polygons are cut along one line. The next ones are cut a raw unit further out.
 ///
 /// Cut edges of one line share parts. For each part the library reads all polygons with an edge on
-/// that line. 400 strips around each other take 22 s on one line, and 0.6 s in lines of 16.
+/// that line. 400 strips around each other take 13 s on one line, and 0.4 s in lines of 16.
 const CUT_TOGETHER: i64 = 16;
 
 /// The points strictly beyond a side of a window.

@@ -137,6 +137,50 @@ fn many_rectangles() {
     println!("2000 rectangles in {:?}", start.elapsed());
 }
 
+/// A map of 4000 pixels with these objects in a solid layer.
+fn wide(list: &str) -> String {
+    support::objects(list)
+        .replacen("width=\"1\" height=\"1\"", "width=\"250\" height=\"250\"", 1)
+        .replace("<layer id=\"1\" name=\"World\" width=\"1\" height=\"1\"><data encoding=\"csv\">0</data></layer>", "")
+}
+
+/// A room with so many long polygons that larger cells than a tile's must index them, and one for
+/// which no cells are large enough.
+#[test]
+fn cells_of_rooms() {
+    let wedge = |i: u32| {
+        let y = 9 * i;
+        format!(r#"<object id="{i}" x="0" y="{y}"><polygon points="0,4 1900,0 1900,3"/></object>"#)
+    };
+    let out = scratch("limits", "wedges.rs", "");
+    let room = |name: &str, list: &str| {
+        support::run("rooms", scratch("limits", name, wide(list)), &format!("--room 250x250 -o {}", out.display()))
+    };
+    let ran = room("wedges.tmx", &(1..=400).map(wedge).collect::<String>());
+    assert!(ran.status == 0 && ran.out.contains("objects in 1 rooms"), "{ran:?}");
+    let wall = |i: u32| format!(r#"<object id="{i}" x="0" y="{i}"><polyline points="0,0 3999,1900"/></object>"#);
+    let ran = room("walls.tmx", &(1..=2000).map(wall).collect::<String>());
+    assert!(ran.status == 2 && ran.err.trim_end().ends_with("65535 segments: use smaller rooms"), "{ran:?}");
+}
+
+/// More polygons over each other than the library counts: the refusal names one of them.
+#[test]
+fn polygons_over_each_other() {
+    let one = |i: u32| {
+        let (top, bottom) = (20 + 3 * i, 2200 + 4 * i);
+        format!(
+            r#"<object id="{i}" x="0" y="0"><polygon points="{i},{bottom} {i},{top} 3000,{top} 3000,{bottom}"/></object>"#
+        )
+    };
+    let file = scratch("limits", "pile.tmx", wide(&(1..=200).map(one).collect::<String>()));
+    for (command, options) in [("bake", "--json"), ("rooms", "--room 250x250 -o never.rs")] {
+        let ran = support::run(command, &file, options);
+        let why = " of layer 'L' at (";
+        let what = "): more than 127 polygons lie over each other there: make one polygon of them\n";
+        assert!(ran.status == 2 && ran.err.contains(why) && ran.err.ends_with(what), "{ran:?}");
+    }
+}
+
 /// Many objects of one name get different constants.
 #[test]
 fn one_name_for_all() {
