@@ -7,6 +7,7 @@ use tilesat::{TileKinds, TileShape};
 
 use super::{Baked, things};
 use crate::fail::{Fail, Result};
+use crate::rules::ground::Doubt;
 use crate::rules::names;
 use crate::rules::outline::LeftOut;
 
@@ -117,8 +118,7 @@ impl Baked {
             let pixels = |raw: i64| raw.div_euclid(1 << 16);
             format!("{} at ({}, {}): {}", object.title, pixels(object.at.0), pixels(object.at.1), object.why)
         });
-        let doubts = self.ground.doubts.iter().map(|doubt| format!("{}: {}", doubt.who, doubt.what));
-        beyond.chain(doubts).collect()
+        beyond.chain(self.ground.doubts.iter().map(Doubt::to_string)).collect()
     }
 
     /// What a build script reports: what the author probably did not intend, and what is in no

@@ -316,6 +316,33 @@ fn refused() {
     assert!(help.status == 0 && help.out.starts_with("usage: tilesat rooms "), "{help:?}");
 }
 
+/// Warnings and notes, as `bake` has them. With several levels, each names its level.
+#[test]
+fn warnings_and_notes() {
+    let out = support::folder("rooms").join("told.rs");
+    let text = support::rows(&["##", "##"]).replace(r#"type="Solid""#, r#"type="Sollid""#).replace("World", "Walls");
+    let guess = scratch("rooms", "guess.tmx", &text);
+    let world =
+        r#"{"type":"world","maps":[{"fileName":"guess.tmx","x":0,"y":0},{"fileName":"other.tmx","x":32,"y":0}]}"#;
+    let (world, _) = (scratch("rooms", "guess.world", world), scratch("rooms", "other.tmx", text));
+    for (file, options, levels) in
+        [(guess, "--room 2x2", &[""][..]), (world, "", &["level 'guess': ", "level 'other': "])]
+    {
+        let ran = run(file, &out, options);
+        assert!(ran.status == 0 && ran.err.is_empty(), "{ran:?}");
+        // A name is doubtful once in all levels.
+        let first = levels[0];
+        let mut lines =
+            vec![format!("warning {first}the name 'Sollid': it is no word of the rules, and nearly 'solid'")];
+        lines.extend(
+            levels.iter().map(|level| format!("note    {level}GUESS: nothing marks solid tiles, so layer 'Walls'")),
+        );
+        for line in lines {
+            assert!(ran.out.contains(&format!("\n{line}")), "{line} {ran:?}");
+        }
+    }
+}
+
 /// The compiler builds from the source what was drawn.
 #[test]
 fn source_equals_the_worlds() {
