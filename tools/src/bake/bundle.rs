@@ -92,7 +92,7 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
         }
         let shapes = Shapes::of(&outlines, flags)?;
         let cell = settings.cell.unwrap_or_else(|| shapes.cell(ground.tile));
-        let bytes = shapes.build(&outlines, cell, segments::LARGER_CELLS)?;
+        let bytes = shapes.build(&outlines, cell)?;
         objects = Some((shapes, bytes, cell));
     }
     // The level's tiles now hold them as one byte each instead of two.

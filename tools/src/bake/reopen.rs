@@ -5,7 +5,7 @@ use std::path::Path;
 use tilesat::{Fx, PathKind, TileKind, TileShape, Vec2};
 
 use super::level::Level;
-use super::segments::{LARGER_CELLS, Shapes};
+use super::segments::Shapes;
 use crate::fail::{Fail, Result};
 use crate::read;
 
@@ -223,5 +223,5 @@ fn paths(lines: &[&str]) -> Made<Option<Vec<u8>>> {
         return Err("points without a path".to_owned());
     }
     let cell = cell.ok_or("segments without a cell")?;
-    shapes.build(&[], cell, LARGER_CELLS).map(Some).map_err(|fail| fail.to_string())
+    shapes.build(&[], cell).map(Some).map_err(|fail| fail.to_string())
 }

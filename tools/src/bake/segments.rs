@@ -65,13 +65,17 @@ impl Shapes {
         paths.map(|(points, &(kind, flags))| Path::new(kind, points).with_flags(flags)).collect()
     }
 
-    /// The bytes that the library reads as a map. `remedy` is what the user can do if there are too
-    /// many cells or segments.
+    /// The bytes that the library reads as a map.
     ///
     /// # Errors
     ///
     /// The library's message, with the name of the object.
-    pub fn build(&self, outlines: &[Outline], cell: Fx, remedy: &str) -> Result<Vec<u8>> {
+    pub fn build(&self, outlines: &[Outline], cell: Fx) -> Result<Vec<u8>> {
+        self.build_or(outlines, cell, "use larger cells (--cell)")
+    }
+
+    /// The same, with what the user can do if there are too many cells or segments.
+    pub(crate) fn build_or(&self, outlines: &[Outline], cell: Fx, remedy: &str) -> Result<Vec<u8>> {
         if self.cells(cell) * 3 > MAX_BYTES as u64 {
             return Err(Fail::new(format!("the objects take too many cells of {cell} px: {remedy}")));
         }
@@ -212,9 +216,6 @@ pub(crate) fn once(outlines: &mut [Outline]) -> Vec<String> {
     }
     notes
 }
-
-/// What `bake` asks for if there are too many cells or segments.
-pub(crate) const LARGER_CELLS: &str = "use larger cells (--cell)";
 
 /// The refusal of more solids over each other than the library counts. It counts in cells, and the
 /// user knows objects: names the one whose first point is in the most boxes around others.

@@ -27,7 +27,7 @@ pub(super) fn of(parts: &[Part], room: &Baked, cell: u16, apron: u16, flags: &mu
         return Ok(None);
     }
     let shapes = Shapes::of(&near, flags)?;
-    shapes.build(&near, shapes.cell(cell), "use smaller rooms").map(Some)
+    shapes.build_or(&near, shapes.cell(cell), "use smaller rooms").map(Some)
 }
 
 fn moved(outline: &Outline, by: Point) -> Outline {
