@@ -87,8 +87,8 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
         if twice > 0 {
             ground.notes.push(format!("{twice} polygons are skipped: each repeats another one"));
         }
-        if pile(&outlines) > MOST_PILED {
-            return Err(Fail::new(format!("more than {MOST_PILED} polygons lie over each other")));
+        if pile(&outlines) > segments::MOST_PILED {
+            return Err(Fail::new(segments::piled(&outlines)));
         }
         let shapes = Shapes::of(&outlines, flags)?;
         let cell = settings.cell.unwrap_or_else(|| shapes.cell(ground.tile));
@@ -131,9 +131,6 @@ fn hidden(map: &Map, outlines: &[Outline]) -> Vec<String> {
     }
     notes
 }
-
-/// The library counts the polygons around a point in a byte.
-const MOST_PILED: u32 = 127;
 
 /// Removes outlines without polygons that repeat another one.
 fn distinct(outlines: &[Outline]) -> Vec<Outline> {

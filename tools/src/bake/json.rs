@@ -7,6 +7,7 @@ use tilesat::{TileKinds, TileShape};
 
 use super::{Baked, things};
 use crate::fail::{Fail, Result};
+use crate::rules::ground::Doubt;
 use crate::rules::names;
 use crate::rules::outline::LeftOut;
 
@@ -25,6 +26,9 @@ struct Line<'a> {
     flags: Vec<(&'a str, u64)>,
     rules: Vec<Used<'a>>,
     ignored: Vec<String>,
+    unused: Vec<String>,
+    warnings: Vec<String>,
+    notes: &'a [String],
     /// Those for the game.
     objects: Vec<things::Thing<'a>>,
     flash_bytes: usize,
@@ -68,6 +72,9 @@ impl Baked {
             flags: self.flags.iter().map(|name| (name.as_str(), 0)).collect(),
             rules: Vec::new(),
             ignored: self.ignored(),
+            unused: self.lost(),
+            warnings: self.warnings(),
+            notes: &self.ground.notes,
             objects: things::things(&self.ground.left_out),
             flash_bytes: self.flash(),
         };
@@ -111,8 +118,7 @@ impl Baked {
             let pixels = |raw: i64| raw.div_euclid(1 << 16);
             format!("{} at ({}, {}): {}", object.title, pixels(object.at.0), pixels(object.at.1), object.why)
         });
-        let doubts = self.ground.doubts.iter().map(|doubt| format!("{}: {}", doubt.who, doubt.what));
-        beyond.chain(doubts).collect()
+        beyond.chain(self.ground.doubts.iter().map(Doubt::to_string)).collect()
     }
 
     /// What a build script reports: what the author probably did not intend, and what is in no
@@ -124,11 +130,16 @@ impl Baked {
         self.warnings().into_iter().chain(objects).chain(lost).chain(guesses).collect()
     }
 
-    /// Drawings that are in no output.
+    /// Drawings and settings that are in no output.
     pub fn unused(&self) -> Vec<String> {
         let silent = self.left_out(|object| !object.is_listed() && !object.suspicious);
+        silent.into_iter().chain(self.lost()).collect()
+    }
+
+    /// What the author has set, and no output holds.
+    fn lost(&self) -> Vec<String> {
         let lost = things::lost(&self.ground.left_out);
-        silent.into_iter().chain(lost).chain(self.ground.unused.iter().cloned()).collect()
+        lost.into_iter().chain(self.ground.unused.iter().cloned()).collect()
     }
 
     /// Bytes of tiles, of the table of kinds and of segments.

@@ -71,10 +71,15 @@ impl Shapes {
     ///
     /// The library's message, with the name of the object.
     pub fn build(&self, outlines: &[Outline], cell: Fx) -> Result<Vec<u8>> {
+        self.build_or(outlines, cell, "use larger cells (--cell)")
+    }
+
+    /// The same, with what the user can do if there are too many cells or segments.
+    pub(crate) fn build_or(&self, outlines: &[Outline], cell: Fx, remedy: &str) -> Result<Vec<u8>> {
         if self.cells(cell) * 3 > MAX_BYTES as u64 {
-            return Err(Fail::new(format!("the objects take too many cells of {cell} px: use larger cells (--cell)")));
+            return Err(Fail::new(format!("the objects take too many cells of {cell} px: {remedy}")));
         }
-        build(&self.paths(), cell, self.cells(cell)).map_err(|error| Fail::new(named(&error, outlines)))
+        build(&self.paths(), cell, self.cells(cell)).map_err(|error| Fail::new(named(&error, outlines, remedy)))
     }
 
     /// The side of cells, at least `tile` pixels, for which a map can name all segments of each
@@ -119,6 +124,8 @@ impl Shapes {
 
 /// A map holds 65 535 pairs of a segment and a cell.
 const MOST_REFERENCES: u64 = 60_000;
+/// The library counts the polygons around a point in a byte.
+pub(crate) const MOST_PILED: u32 = 127;
 /// Three bytes per pair.
 const MOST_CELLS: u64 = 1 << 18;
 
@@ -210,6 +217,27 @@ pub(crate) fn once(outlines: &mut [Outline]) -> Vec<String> {
     notes
 }
 
+/// The refusal of more solids over each other than the library counts. It counts in cells, and the
+/// user knows objects: names the one whose first point is in the most boxes around others.
+pub(crate) fn piled(outlines: &[Outline]) -> String {
+    let ends = |outline: &Outline| {
+        let (mut lo, mut hi) = ((i64::MAX, i64::MAX), (i64::MIN, i64::MIN));
+        for p in &outline.points {
+            (lo, hi) = ((lo.0.min(p.0), lo.1.min(p.1)), (hi.0.max(p.0), hi.1.max(p.1)));
+        }
+        (lo, hi)
+    };
+    let solid: Vec<&Outline> = outlines.iter().filter(|outline| outline.kind == Kind::Solid).collect();
+    let boxes: Vec<_> = solid.iter().map(|outline| ends(outline)).collect();
+    let within = |p: &(i64, i64)| {
+        boxes.iter().filter(|(lo, hi)| lo.0 <= p.0 && p.0 <= hi.0 && lo.1 <= p.1 && p.1 <= hi.1).count()
+    };
+    let deepest = solid.iter().filter_map(|outline| Some((*outline, *outline.points.first()?)));
+    let deepest = deepest.max_by_key(|(_, point)| within(point));
+    let whose = deepest.map_or("the objects".to_owned(), |(outline, point)| format!("{}{}", outline.title, at(point)));
+    format!("{whose}: more than {MOST_PILED} polygons lie over each other there: make one polygon of them")
+}
+
 const OUTSIDE: &str =
     "it is outside of the domain: coordinates stay below 8192 pixels; move it, or --scale makes everything smaller";
 
@@ -221,7 +249,7 @@ fn at((x, y): (i64, i64)) -> String {
 }
 
 /// The library counts paths and raw units, but the user knows objects and pixels.
-fn named(error: &SegmentMapError, outlines: &[Outline]) -> String {
+fn named(error: &SegmentMapError, outlines: &[Outline], remedy: &str) -> String {
     let (path, point, why) = match *error {
         SegmentMapError::TooFewPoints { path, points } => {
             (path, None, format!("it has {points} different points: a polygon needs 3, a chain 2"))
@@ -232,15 +260,15 @@ fn named(error: &SegmentMapError, outlines: &[Outline]) -> String {
         }
         SegmentMapError::OutOfDomain { path, point, .. } => (path, Some(point), OUTSIDE.to_owned()),
         SegmentMapError::OutsideGrid { path, point } => {
-            (path, Some(point), "it is outside of the cells: use larger cells (--cell)".to_owned())
+            (path, Some(point), format!("it is outside of the cells: {remedy}"))
         }
         SegmentMapError::TooManySegments { path, point } => {
             (path, Some(point), "with it there are more than 32768 segments: cut the level in two".to_owned())
         }
         SegmentMapError::TooManyRefs { path, point } => {
-            let why = "with it the cells list more than 65535 segments: use larger cells (--cell)";
-            (path, Some(point), why.to_owned())
+            (path, Some(point), format!("with it the cells list more than 65535 segments: {remedy}"))
         }
+        SegmentMapError::TooDeep(_) => return piled(outlines),
         _ => return format!("the objects: {error}"),
     };
     let Some(outline) = outlines.get(path as usize) else { return format!("the objects: {why}") };

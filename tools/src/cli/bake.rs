@@ -30,8 +30,9 @@ const OPTIONS: &str = "
   -o OUT.bin     write bytes: for polygons those of SegmentMap::from_bytes, for tiles
                  one per tile (with both: OUT.segments.bin and OUT.tiles.bin; for
                  several levels OUT.LEVEL.bin), and OUT.bin.rs, which describes them
-  --json         print a line of JSON for each level instead of the report; you can
-                 omit -o then, and with --picture
+  --json         print a line of JSON for each level instead of the report, with the
+                 report's lines in the lists ignored, unused, warnings and notes; you
+                 can omit -o then, and with --picture
   --picture PNG  draw the solid over the level as you drew it
   --cell PX      the side of the cells that index polygons (default: a tile)
   --body WxH     the body for which the report counts (default: a cell)

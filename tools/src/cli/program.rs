@@ -69,7 +69,7 @@ impl Program {
             level = "[LEVEL]";
         }
         let default = self.picture.as_ref().map(|file| format!(" (default: {})", file.display())).unwrap_or_default();
-        let png = format!("  --png FILE     write the picture to FILE{default}\n");
+        let png = format!("  --picture PNG  write the picture to this file{default}; also --png\n");
         let (about, options) = (input::LEVEL, input::OPTIONS);
         format!("usage: {} {level} [options]\n{ABOUT}{about}{BAKED}\n{own}{png}{OPTIONS}{options}", self.name)
     }
@@ -100,7 +100,8 @@ impl Program {
                 }
                 Long("frames") => once(&mut frames, "--frames", number(&mut parser, "--frames")?)?,
                 Long("seed") => once(&mut seed, "--seed", number(&mut parser, "--seed")?)?,
-                Long("png") => once(&mut png, "--png", PathBuf::from(value(&mut parser, "--png")?))?,
+                // As `bake` calls it.
+                Long("png" | "picture") => once(&mut png, "--png", PathBuf::from(value(&mut parser, "--png")?))?,
                 Long("svg") => once(&mut svg, "--svg", PathBuf::from(value(&mut parser, "--svg")?))?,
                 Long("bake") => once(&mut bake, "--bake", PathBuf::from(value(&mut parser, "--bake")?))?,
                 Value(given) => once(&mut level, place, path(given)?)?,

@@ -10,7 +10,7 @@ use tilesat::Fx;
 
 use super::args::{length, next, once, path, text, unknown, value};
 use super::input::{self, Input};
-use super::tell::{status, tell, usage};
+use super::tell::{list, status, tell, usage};
 use crate::bake::Outputs;
 use crate::fail::{Fail, Result};
 use crate::rooms::{self, Cut};
@@ -105,6 +105,8 @@ fn job(job: Options, out: &mut dyn Write) -> Result<u8> {
     for line in world.report() {
         tell(out, &line);
     }
+    list(out, "warning", &world.warnings);
+    list(out, "note", &world.notes);
     for file in written {
         tell(out, &format!("wrote   {}", file.display()));
     }

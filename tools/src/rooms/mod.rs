@@ -45,6 +45,9 @@ pub struct World {
     pub whole: Option<Whole>,
     /// Drawings that are in no output.
     pub unused: Vec<String>,
+    /// What the author probably did not intend: a line each.
+    pub warnings: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 /// The tiles of a world of equal rooms.
@@ -119,7 +122,9 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
         }
     };
     let unused = objects::share(&parts, &mut rooms, cell);
-    let mut world = World { cell, apron, kinds: ids.kinds().to_vec(), flags: Vec::new(), rooms, whole, unused };
+    let (warnings, notes) = (Part::told(&parts, |part| &part.warnings), Part::told(&parts, |part| &part.notes));
+    let kinds = ids.kinds().to_vec();
+    let mut world = World { cell, apron, kinds, flags: Vec::new(), rooms, whole, unused, warnings, notes };
     for room in &mut world.rooms {
         let of_room = |fail: Fail| Fail::new(format!("room '{}': {fail}", room.name));
         room.segments = segments::of(&parts, room, cell, apron, &mut flags).map_err(of_room)?;

@@ -46,10 +46,7 @@ pub(super) fn share(parts: &[Part], rooms: &mut [Baked], cell: u16) -> Vec<Strin
         room.objects.iter_mut().for_each(|object| object.settle(|id| listed.contains(&(scope(number), id))));
     }
     unused.extend(rooms.iter().flat_map(|room| lost(&room.objects)));
-    let titled = |part: &Part, line: &String| {
-        if parts.len() > 1 { format!("level '{}': {line}", part.name) } else { line.clone() }
-    };
-    unused.extend(parts.iter().flat_map(|part| part.unused.iter().map(move |line| titled(part, line))));
+    unused.extend(Part::told(parts, |part| &part.unused));
     unused
 }
 

@@ -6,7 +6,7 @@ use crate::bake::segments;
 use crate::fail::{Fail, Result};
 use crate::model::map::{Map, Place};
 use crate::rules::flags::Flags;
-use crate::rules::ground::Ground;
+use crate::rules::ground::{Doubt, Ground};
 use crate::rules::options::Options;
 use crate::rules::outline::{LeftOut, Outline};
 
@@ -40,6 +40,9 @@ pub(super) struct Part {
     pub objects: Vec<LeftOut>,
     /// What no output has.
     pub unused: Vec<String>,
+    /// What its author probably did not intend.
+    pub warnings: Vec<String>,
+    pub notes: Vec<String>,
 }
 
 impl Part {
@@ -83,7 +86,18 @@ impl Part {
             outlines: ground.outlines,
             objects: ground.left_out,
             unused: ground.unused,
+            warnings: ground.doubts.iter().map(Doubt::to_string).collect(),
+            notes: ground.notes,
         })
+    }
+
+    /// Lines about the levels, each with the name of its level if there are several.
+    pub(super) fn told(all: &[Self], lines: impl Fn(&Self) -> &[String]) -> Vec<String> {
+        let titled = |part: &Self, line: &String| match all {
+            [_] => line.clone(),
+            _ => format!("level '{}': {line}", part.name),
+        };
+        all.iter().flat_map(|part| lines(part).iter().map(move |line| titled(part, line))).collect()
     }
 
     /// All tiles, for windows of them.

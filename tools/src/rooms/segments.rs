@@ -1,8 +1,6 @@
 //! The polygons that a room needs: those that reach it or its apron. Their edges there are as
 //! drawn.
 
-use tilesat::Fx;
-
 use super::Baked;
 use super::part::Part;
 use crate::bake::segments::Shapes;
@@ -22,17 +20,26 @@ pub(super) fn of(parts: &[Part], room: &Baked, cell: u16, apron: u16, flags: &mu
     let end = (i64::from(room.size.0) * side + margin, i64::from(room.size.1) * side + margin);
     let window = [(-1, 0, -margin), (1, 0, end.0), (0, -1, -margin), (0, 1, end.1)];
     let outlines = parts.iter().filter(|part| part.plane == room.plane).flat_map(|part| &part.outlines);
-    let near = outlines.filter_map(|outline| near(moved(outline, first), window.map(Beyond::from))).collect::<Vec<_>>();
+    let mut cuts = [0; 4];
+    let near: Vec<Outline> =
+        outlines.filter_map(|outline| near(moved(outline, first), window.map(Beyond::from), &mut cuts)).collect();
     if near.is_empty() {
         return Ok(None);
     }
-    Shapes::of(&near, flags)?.build(&near, Fx::from_num(cell)).map(Some)
+    let shapes = Shapes::of(&near, flags)?;
+    shapes.build_or(&near, shapes.cell(cell), "use smaller rooms").map(Some)
 }
 
 fn moved(outline: &Outline, by: Point) -> Outline {
     let points = outline.points.iter().map(|p| (p.0 - by.0, p.1 - by.1)).collect();
     Outline { points, ..outline.clone() }
 }
+
+/// This many polygons are cut along one line. The next ones are cut a raw unit further out.
+///
+/// Cut edges of one line share parts. For each part the library reads all polygons with an edge on
+/// that line. 400 strips around each other take 13 s on one line, and 0.4 s in lines of 16.
+const CUT_TOGETHER: i64 = 16;
 
 /// The points strictly beyond a side of a window.
 #[derive(Clone, Copy)]
@@ -54,6 +61,11 @@ impl Beyond {
         p.0 * self.out.0 + p.1 * self.out.1
     }
 
+    /// A side further out, by so many raw units.
+    fn further(self, by: i64) -> Self {
+        Self { at: self.at + by, ..self }
+    }
+
     fn holds(&self, p: Point) -> bool {
         self.along(p) > self.at
     }
@@ -64,14 +76,17 @@ impl Beyond {
 /// Cuts edges beyond the window, at a raw point exactly on them if there is one. Of consecutive
 /// points beyond a side, the first and the last stay, with a straight way between them. So
 /// everything that reaches the window is as drawn, and winds around its points as often. All
-/// changes are beyond a side.
-fn near(outline: Outline, window: [Beyond; 4]) -> Option<Outline> {
+/// changes are beyond a side. Counts the outlines that were cut at each side.
+fn near(outline: Outline, window: [Beyond; 4], cuts: &mut [i64; 4]) -> Option<Outline> {
     if window.iter().any(|side| outline.points.iter().all(|&p| side.holds(p))) {
         return None;
     }
     let mut short = outline.clone();
-    for side in window {
-        short.points = without_runs(&cut(&short.points, outline.closed, side), outline.closed, side);
+    for (side, cuts) in window.into_iter().zip(cuts) {
+        let side = side.further(*cuts / CUT_TOGETHER);
+        let points = cut(&short.points, outline.closed, side);
+        *cuts += i64::from(points.len() > short.points.len());
+        short.points = without_runs(&points, outline.closed, side);
     }
     short.rounding = vec![0; short.points.len()];
     let area = |outline: &Outline| doubled_area(&outline.points) != 0;

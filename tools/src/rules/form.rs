@@ -46,6 +46,16 @@ pub(super) fn corners(object: &Object) -> Option<Corners> {
     Some(Corners { points: points.into_iter().map(|point| placed(object, point)).collect(), closed, error })
 }
 
+/// Whether an object can be solid. Points and texts have no extent, nor has a rectangle that an
+/// editor draws if the user clicks instead of dragging.
+pub(super) fn has_extent(object: &Object) -> bool {
+    match object.form {
+        Form::Point | Form::Text => false,
+        Form::Rectangle | Form::Ellipse | Form::Capsule => object.size != (Decimal::ZERO, Decimal::ZERO),
+        Form::Polygon(_) | Form::Polyline(_) | Form::Tile(_) => true,
+    }
+}
+
 /// Points from the corner of a tile's picture, at their positions in the layer.
 pub(super) fn of_picture(object: &Object, stamp: &Stamp, points: &[Spot]) -> Vec<Spot> {
     let along = |halves: u32, side: Decimal, offset: Decimal| offset - side.scaled(halves, 2);

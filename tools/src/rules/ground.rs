@@ -14,6 +14,7 @@
 //!    and dirt, stone, rock, brick and earth.
 
 use std::collections::HashSet;
+use std::fmt;
 
 use tilesat::{TileKind, TileShape};
 
@@ -70,6 +71,12 @@ pub struct Doubt {
     pub what: String,
     /// Why it matters.
     pub why: &'static str,
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.who, self.what)
+    }
 }
 
 impl Ground {

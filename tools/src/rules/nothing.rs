@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use super::cells::Sheet;
+use super::form;
 use super::options::Options;
 use crate::model::map::{Content, Map, Placed};
 
@@ -21,21 +22,20 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     for sheet in sheets {
         let count = sheet.tiles.drawn().count();
         if count > 0 {
-            tiles.push(format!("'{}' ({count} tiles)", sheet.layer.name));
+            tiles.push(format!("'{}' ({})", sheet.layer.name, counted(count, "tile")));
         }
         names.extend(sheet.flags.values().flatten().map(String::as_str));
     }
-    let objects: Vec<String> = map
-        .layers
-        .iter()
-        .filter_map(|layer| match &layer.content {
-            Content::Objects(objects) if !objects.is_empty() => {
-                Some(format!("'{}' ({} objects)", layer.name, objects.len()))
-            }
-            _ => None,
-        })
-        .collect();
-    if tiles.is_empty() && objects.is_empty() && map.values {
+    let (mut objects, mut marks): (Vec<String>, usize) = (Vec::new(), 0);
+    for layer in &map.layers {
+        let Content::Objects(all) = &layer.content else { continue };
+        let count = all.iter().filter(|object| form::has_extent(object)).count();
+        marks += all.len() - count;
+        if count > 0 {
+            objects.push(format!("'{}' ({})", layer.name, counted(count, "object")));
+        }
+    }
+    if tiles.is_empty() && objects.is_empty() && marks == 0 && map.values {
         return Ok(());
     }
     // Writing to a string cannot fail.
@@ -49,11 +49,30 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     }
     if !objects.is_empty() {
         let _ = write!(why, "; the object layers are {}: add --objects NAME if they are solid", list(&objects));
+    } else if marks > 0 {
+        why += "; the objects are points and texts, which are never solid: draw rectangles or polygons";
+    }
+    if only_marks(map) {
+        why += "; points and texts of Tiled's collision editor are not solid: draw rectangles or polygons there";
     }
     if map.values && map.palette.iter().any(|placed| matches!(placed, Placed::Value { .. })) {
         why += "; --ignore-level NAME skips a level";
     }
     Err(why)
+}
+
+/// Whether a tile in a layer has collision shapes without an extent only.
+fn only_marks(map: &Map) -> bool {
+    let shapes = |placed: &Placed| match placed {
+        Placed::Tile { tileset, id, .. } => map.tilesets[*tileset].tiles.get(id).map(|tile| tile.shapes.as_slice()),
+        Placed::Nothing | Placed::Value { .. } => None,
+    };
+    let mut drawn = map.palette.iter().filter_map(shapes).filter(|shapes| !shapes.is_empty());
+    drawn.any(|shapes| !shapes.iter().any(form::has_extent))
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 fn list(names: &[String]) -> String {

@@ -80,10 +80,7 @@ pub(super) fn outlines(
     let Some(corners) = all_corners else {
         return left_out(if object.form == Form::Text { "a text" } else { "a point" }.to_owned());
     };
-    if matches!(object.form, Form::Rectangle | Form::Ellipse | Form::Capsule)
-        && object.size == (Decimal::ZERO, Decimal::ZERO)
-    {
-        // Editors draw it if the user clicks instead of dragging.
+    if !form::has_extent(object) {
         return left_out("it has no size: a point".to_owned());
     }
     let shapes = match &object.form {

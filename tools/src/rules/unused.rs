@@ -10,6 +10,7 @@ use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Placed};
 use crate::model::object::{Form, Object};
 use crate::model::property::Value;
+use crate::model::tileset::Tileset;
 
 /// The most names of a line.
 const MOST: usize = 12;
@@ -23,15 +24,15 @@ fn key(title: &Title) -> (&str, u32) {
     (&title.layer, title.id)
 }
 
-/// A line for each owner of properties that are in no output, and for each layer whose objects lose
-/// a text or a rotation.
+/// A line for each owner of properties that are in no output, for each layer whose objects lose a
+/// text or a rotation, and for each tileset with points or texts among its collision shapes.
 pub(super) fn lines(map: &Map, outlines: &[Outline], left_out: &[LeftOut]) -> Vec<String> {
     let mut lines = Vec::new();
     for (owner, properties) in &map.properties {
         let counts = counted(properties.0.iter().filter(|(name, value)| !is_rule(name, value)));
         lines.extend(line(&format!("of {owner}"), &counts));
     }
-    let placed = placed(map);
+    let (placed, stamped) = (placed(map), stamped(map));
     for (index, set) in map.tilesets.iter().enumerate() {
         let of_set = counted(set.properties.0.iter().filter(|(_, value)| is_set(value)));
         lines.extend(line(&format!("of tileset '{}'", set.name), &of_set));
@@ -40,6 +41,7 @@ pub(super) fn lines(map: &Map, outlines: &[Outline], left_out: &[LeftOut]) -> Ve
         let counts =
             counted(tiles.flat_map(|(_, tile)| &tile.properties.0).filter(|(name, value)| !of_tile(name, value)));
         lines.extend(line(&format!("of tiles of tileset '{}'", set.name), &counts));
+        lines.extend(marks(set, |id| placed.contains(&(index, id)) || stamped.contains(&(index, id))));
     }
     let solid: Titles<'_> = outlines.iter().map(|outline| key(&outline.title)).collect();
     let listed = left_out.iter().filter(|object| object.is_listed());
@@ -106,6 +108,31 @@ fn line(owner: &str, counts: &Counts<'_>) -> Option<String> {
         let _ = write!(text, " and {} more", counts.len() - MOST);
     }
     Some(text + ": no output has them")
+}
+
+/// Points and texts that are drawn in the collision editor of these tiles.
+fn marks(set: &Tileset, used: impl Fn(u32) -> bool) -> Vec<String> {
+    let shapes = || set.tiles.iter().filter(|(id, _)| used(**id)).flat_map(|(_, tile)| &tile.shapes);
+    let of = |what: &str, form: &Form| {
+        let count = shapes().filter(|shape| shape.form == *form).count();
+        let (plural, them) = if count == 1 { ("", "it") } else { ("s", "them") };
+        let whose = format!("{count} {what}{plural} in the collision editor of tileset '{}'", set.name);
+        (count > 0).then(|| format!("{whose}: no output has {them}; draw {them} in an object layer"))
+    };
+    of("point", &Form::Point).into_iter().chain(of("text", &Form::Text)).collect()
+}
+
+/// The tiles that are objects of a map.
+fn stamped(map: &Map) -> HashSet<(usize, u32)> {
+    let objects = map.layers.iter().filter_map(|layer| match &layer.content {
+        Content::Objects(objects) => Some(objects),
+        _ => None,
+    });
+    let stamps = objects.flatten().filter_map(|object| match &object.form {
+        Form::Tile(stamp) => Some((stamp.tileset, stamp.id)),
+        _ => None,
+    });
+    stamps.collect()
 }
 
 /// The tiles in the layers of a map.

@@ -2,12 +2,22 @@
 
 use std::fs;
 
-use crate::support::{Ran, folder, own, scratch, tilesat};
+use crate::support::{Ran, folder, own, rows, run, scratch, tilesat};
 
 /// A refusal: status 2 and one line that contains the word.
 fn refused(ran: &Ran, word: &str) {
     assert!(ran.status == 2 && ran.out.is_empty() && ran.err.lines().count() == 1, "{ran:?}");
     assert!(ran.err.starts_with("tilesat") && ran.err.contains(word), "{word:?} is not in {ran:?}");
+}
+
+/// `play` calls its picture as `bake` does, too.
+#[test]
+fn play_writes_a_picture() {
+    let level = scratch("command", "picture.tmx", rows(&["#    #", "#    #", "######"]));
+    let out = folder("command").join("picture.png");
+    let _ = fs::remove_file(&out);
+    let ran = run("play", level, &format!("--frames 9 --picture {}", out.display()));
+    assert!(ran.status == 0 && out.is_file(), "{ran:?}");
 }
 
 #[test]

@@ -99,6 +99,32 @@ fn no_files() {
     }
 }
 
+/// Polygons of tiles a million pixels away: no coordinate of the tools reaches so far.
+#[test]
+fn polygons_far_away() {
+    let shape =
+        r#"<objectgroup><object id="1" x="0" y="0"><polygon points="0,16 16,11 16,16"/></object></objectgroup>"#;
+    let tile = format!(r#"<tile id="0">{shape}</tile>"#);
+    let level = |x: i32, y: i32| {
+        let chunk = format!(r#"<chunk x="{x}" y="{y}" width="1" height="1">1</chunk>"#);
+        let level = rows(&["#"]).replace(">1</data>", &format!(">{chunk}</data>"));
+        level.replace("infinite=\"0\"", "infinite=\"1\"").replace(r#"<tile id="0" type="Solid"/>"#, &tile)
+    };
+    // 999 744 pixels are the first that are refused.
+    for (x, y) in [(62_484, 0), (-62_484, 0), (0, 62_484), (0, -62_484)] {
+        let why = format!(
+            "layer 'World': its tile in column {x}, row {y} is no shape of the library, and a million pixels from the \
+             origin; --solid NAME makes tiles of a name full"
+        );
+        refused(scratch("limits", "far.tmx", level(x, y)), &why);
+        let nearer = scratch("limits", "nearer.tmx", level(x - x.signum(), y - y.signum()));
+        let ran = support::run("bake", &nearer, "--json");
+        assert!(ran.status == 0 && ran.out.contains("\"segments\":3"), "{ran:?}");
+        let ran = support::run("bake", scratch("limits", "full.tmx", level(x, y)), "--json --solid t:0");
+        assert!(ran.status == 0 && ran.out.contains("\"solid\":1"), "{ran:?}");
+    }
+}
+
 /// As many objects and tiles as a map of segments can hold.
 #[test]
 fn many_rectangles() {
@@ -109,6 +135,50 @@ fn many_rectangles() {
     let ran = support::run("bake", scratch("limits", "objects.tmx", support::objects(&list)), "--json");
     assert!(ran.status == 0 && ran.out.contains("\"segments\":8000"), "{ran:?}");
     println!("2000 rectangles in {:?}", start.elapsed());
+}
+
+/// A map of 4000 pixels with these objects in a solid layer.
+fn wide(list: &str) -> String {
+    support::objects(list)
+        .replacen("width=\"1\" height=\"1\"", "width=\"250\" height=\"250\"", 1)
+        .replace("<layer id=\"1\" name=\"World\" width=\"1\" height=\"1\"><data encoding=\"csv\">0</data></layer>", "")
+}
+
+/// A room with so many long polygons that larger cells than a tile's must index them, and one for
+/// which no cells are large enough.
+#[test]
+fn cells_of_rooms() {
+    let wedge = |i: u32| {
+        let y = 9 * i;
+        format!(r#"<object id="{i}" x="0" y="{y}"><polygon points="0,4 1900,0 1900,3"/></object>"#)
+    };
+    let out = scratch("limits", "wedges.rs", "");
+    let room = |name: &str, list: &str| {
+        support::run("rooms", scratch("limits", name, wide(list)), &format!("--room 250x250 -o {}", out.display()))
+    };
+    let ran = room("wedges.tmx", &(1..=400).map(wedge).collect::<String>());
+    assert!(ran.status == 0 && ran.out.contains("objects in 1 rooms"), "{ran:?}");
+    let wall = |i: u32| format!(r#"<object id="{i}" x="0" y="{i}"><polyline points="0,0 3999,1900"/></object>"#);
+    let ran = room("walls.tmx", &(1..=2000).map(wall).collect::<String>());
+    assert!(ran.status == 2 && ran.err.trim_end().ends_with("65535 segments: use smaller rooms"), "{ran:?}");
+}
+
+/// More polygons over each other than the library counts: the refusal names one of them.
+#[test]
+fn polygons_over_each_other() {
+    let one = |i: u32| {
+        let (top, bottom) = (20 + 3 * i, 2200 + 4 * i);
+        format!(
+            r#"<object id="{i}" x="0" y="0"><polygon points="{i},{bottom} {i},{top} 3000,{top} 3000,{bottom}"/></object>"#
+        )
+    };
+    let file = scratch("limits", "pile.tmx", wide(&(1..=200).map(one).collect::<String>()));
+    for (command, options) in [("bake", "--json"), ("rooms", "--room 250x250 -o never.rs")] {
+        let ran = support::run(command, &file, options);
+        let why = " of layer 'L' at (";
+        let what = "): more than 127 polygons lie over each other there: make one polygon of them\n";
+        assert!(ran.status == 2 && ran.err.contains(why) && ran.err.ends_with(what), "{ran:?}");
+    }
 }
 
 /// Many objects of one name get different constants.

@@ -152,10 +152,52 @@ fn json() {
          \"rules\":[{\"rule\":\"a\",\"what\":\"class Solid is full\",\"tiles\":4},\
          {\"rule\":\"a\",\"what\":\"class OneWay is one-way-up\",\"tiles\":1},\
          {\"rule\":\"c\",\"what\":\"objects of layer 'L'\",\"tiles\":1}],\
-         \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\
+         \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\"unused\":[],\"warnings\":[],\"notes\":[],\
          \"objects\":[{\"id\":2,\"class\":\"\",\"name\":\"start\",\"layer\":\"Spots\",\"area\":[0.0,0.0,0.0,0.0],\
          \"points\":[],\"properties\":{\"to\":[7,true,\"x\"]}}],\"flash_bytes\":667}\n"
     );
+}
+
+/// Each line of the report about something ignored, doubtful or notable is in JSON, too.
+#[test]
+fn json_has_the_lines_of_the_report() {
+    let text = |name: &str, value: &str| format!(r#"<property name="{name}" value="{value}"/>"#);
+    let point = r#"<objectgroup id="7"><object id="1" x="4" y="4"><point/></object></objectgroup>"#;
+    let game = format!(
+        r#"<objectgroup name="Spots"><properties>{}</properties><object id="2" name="start" class="Sollid"><properties>{}</properties><point/></object>
+        <object id="3" x="9000" y="0"><point/></object></objectgroup><imagelayer name="sky"/></map>"#,
+        text("zone", "cave"),
+        r#"<property name="loot" type="list"/>"#
+    );
+    let level = rows(&["###"]).replace("</map>", &game).replacen(
+        "<tileset",
+        &format!("<properties>{}</properties><tileset", text("music", "a.ogg")),
+        1,
+    );
+    let level =
+        level.replace(r#"<tile id="0" type="Solid"/>"#, &format!(r#"<tile id="0" type="Solid">{point}</tile>"#));
+    let level = level.replace(r#"name="World""#, r#"name="World" visible="0""#);
+    let home = clean("json");
+    let file = scratch("json", "report.tmx", level);
+    let report = bake(&[&file, Path::new("-o"), &home.join("out.rs")]).out;
+    let ran = support::run("bake", &file, "--json");
+    assert_eq!(ran.status, 0, "{ran:?}");
+    let line: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let lines = |fields: &[&str]| -> Vec<&str> {
+        let all = fields.iter().flat_map(|field| line[*field].as_array().expect(field));
+        all.map(|line| line.as_str().unwrap()).collect()
+    };
+    for (word, count, fields) in [
+        ("object", 1, &["ignored"][..]),
+        ("ignored", 5, &["ignored", "unused"]),
+        ("warning", 2, &["warnings"]),
+        ("note", 1, &["notes"]),
+    ] {
+        let told: Vec<&str> = report.lines().filter_map(|line| line.strip_prefix(&format!("{word:<7} "))).collect();
+        assert_eq!(told.len(), count, "{report}");
+        assert!(told.iter().all(|line| lines(fields).contains(line)), "{word}: {told:?} {line}");
+    }
+    assert_eq!(lines(&["unused"]).len(), 4, "{line}");
 }
 
 /// If the images of the tiles exist, the picture shows them.

@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use tilesat::world::World as _;
 use tilesat::{
@@ -238,6 +239,48 @@ fn a_polygon_of_forty_thousand_pixels() {
     }
 }
 
+/// Hundreds of polygons that end far beyond one border: strips around each other, open to the left.
+#[test]
+fn polygons_at_one_border() {
+    let strip = |i: i32| {
+        let (top, bottom, right) = (100 + 4 * i, 4000 - 4 * i, 3900 - 4 * i);
+        let points = [
+            (1000, top),
+            (right, top),
+            (right, bottom),
+            (1000, bottom),
+            (1000, bottom - 2),
+            (right - 2, bottom - 2),
+            (right - 2, top + 2),
+            (1000, top + 2),
+        ];
+        let points = points.map(|(x, y)| format!("{x},{y}")).join(" ");
+        format!(r#"<object id="{}" x="0" y="0"><polygon points="{points}"/></object>"#, i + 1)
+    };
+    let list: String = (0..400).map(strip).collect();
+    let cells = vec!["0"; 256].join(",");
+    let text = map(16, 16, &cells, &list)
+        .replace("tilewidth=\"16\" tileheight=\"16\"", "tilewidth=\"256\" tileheight=\"256\"");
+    let cut = Cut { room: Some((8, 16)), ..Cut::default() };
+    let start = Instant::now();
+    let world = world(&scratch("rooms", "strips.tmx", text), &cut).unwrap();
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+    for (room, x) in world.rooms.iter().zip([0, 2048]) {
+        let map = SegmentMap::from_bytes(room.segments.as_ref().unwrap()).unwrap();
+        let probe = |at: i32, y: i32| {
+            let at = Vec2::from_ints((at - x) as i16, y as i16);
+            map.overlaps_circle(&Circle::new(at, Fx::from_bits(1)).unwrap())
+        };
+        // In each strip, and between it and the next one; up to 256 pixels into the next room.
+        for i in 0..400 {
+            for at in [1500, 2000, 2100, 2047 + 256].into_iter().filter(|at| *at < 3898 - 4 * i) {
+                assert!(probe(at, 101 + 4 * i) && probe(at, 3999 - 4 * i), "{at} {i}");
+                assert!(!probe(at, 103 + 4 * i) && !probe(at, 3997 - 4 * i), "{at} {i}");
+            }
+        }
+    }
+}
+
 fn run(file: PathBuf, out: &Path, options: &str) -> Ran {
     support::run("rooms", file, &format!("-o {} {options}", out.display()))
 }
@@ -271,6 +314,33 @@ fn refused() {
     assert!(ran.status == 2 && ran.err.contains("does not end in .rs"), "{ran:?}");
     let help = support::run("rooms", "--help", "");
     assert!(help.status == 0 && help.out.starts_with("usage: tilesat rooms "), "{help:?}");
+}
+
+/// Warnings and notes, as `bake` has them. With several levels, each names its level.
+#[test]
+fn warnings_and_notes() {
+    let out = support::folder("rooms").join("told.rs");
+    let text = support::rows(&["##", "##"]).replace(r#"type="Solid""#, r#"type="Sollid""#).replace("World", "Walls");
+    let guess = scratch("rooms", "guess.tmx", &text);
+    let world =
+        r#"{"type":"world","maps":[{"fileName":"guess.tmx","x":0,"y":0},{"fileName":"other.tmx","x":32,"y":0}]}"#;
+    let (world, _) = (scratch("rooms", "guess.world", world), scratch("rooms", "other.tmx", text));
+    for (file, options, levels) in
+        [(guess, "--room 2x2", &[""][..]), (world, "", &["level 'guess': ", "level 'other': "])]
+    {
+        let ran = run(file, &out, options);
+        assert!(ran.status == 0 && ran.err.is_empty(), "{ran:?}");
+        // A name is doubtful once in all levels.
+        let first = levels[0];
+        let mut lines =
+            vec![format!("warning {first}the name 'Sollid': it is no word of the rules, and nearly 'solid'")];
+        lines.extend(
+            levels.iter().map(|level| format!("note    {level}GUESS: nothing marks solid tiles, so layer 'Walls'")),
+        );
+        for line in lines {
+            assert!(ran.out.contains(&format!("\n{line}")), "{line} {ran:?}");
+        }
+    }
 }
 
 /// The compiler builds from the source what was drawn.

@@ -63,6 +63,37 @@ fn properties_without_an_output_are_named() {
     );
 }
 
+/// Points and texts of the collision editor, in one line for each kind. Tiles that are nowhere in
+/// the map have none.
+#[test]
+fn points_and_texts_of_the_collision_editor_are_named() {
+    let point = |id: u32| format!(r#"<object id="{id}" x="8" y="8"><point/></object>"#);
+    let text = |id: u32| format!(r#"<object id="{id}" x="0" y="0" width="8" height="4"><text>Hi</text></object>"#);
+    let half = r#"<object id="9" x="0" y="8" width="16" height="8"/>"#;
+    let group = |drawn: &[&str]| format!(r#"<objectgroup id="2">{}</objectgroup>"#, drawn.concat());
+    let tiles = [
+        format!(r#"<tile id="0" type="Solid">{}</tile>"#, group(&[&point(1), &text(2)])),
+        format!(r#"<tile id="1">{}</tile>"#, group(&[half, &point(1), &point(2)])),
+        format!(r#"<tile id="2">{}</tile>"#, group(&[&point(1)])),
+        format!(r#"<tile id="3">{}</tile>"#, group(&[&text(1)])),
+    ];
+    // Tile 2 is only an object of the game, and tile 3 is nowhere.
+    let coin = r#"<objectgroup id="8" name="G"><object id="5" gid="3" x="0" y="16"/></objectgroup></map>"#;
+    let level = map(3, 1, "1,2,2", "").replace("</map>", coin);
+    let known = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
+    let level = level.replace(known, &tiles.concat());
+    let lines = ignored("editor.tmx", &level);
+    assert_eq!(
+        lines,
+        [
+            "4 points in the collision editor of tileset 't': no output has them; draw them in an object layer",
+            "1 text in the collision editor of tileset 't': no output has it; draw it in an object layer",
+        ]
+    );
+    let plain = level.replace(&point(1), "").replace(&point(2), "").replace(&text(2), "");
+    assert!(ignored("plain.tmx", &plain).is_empty());
+}
+
 /// The same in JSON, and many objects are one line.
 #[test]
 fn many_objects_are_one_line() {

@@ -76,20 +76,25 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
 }
 
 fn side(map: &raw::Map) -> Result<u16> {
-    if map.orientation != "orthogonal" {
-        return Err(match &*map.orientation {
-            "" => "not a Tiled map: it has no orientation".to_owned(),
-            known @ ("isometric" | "staggered" | "hexagonal" | "oblique") => {
-                format!(
-                    "the map is {known}, not orthogonal: its cells are not square, and the library has square cells only"
-                )
-            }
-            other => format!("the map is '{other}', not orthogonal"),
-        });
+    // What every refusal here asks for, in the words of the editor.
+    const IN_TILED: &str = "in Tiled, under Map > Map Properties, set";
+    const ONE_NUMBER: &str = "Tile Width and Tile Height to the same number";
+    match &*map.orientation {
+        "orthogonal" => {}
+        "" => return Err("not a Tiled map: it has no orientation".to_owned()),
+        other => {
+            return Err(format!(
+                "the map is {other}, not orthogonal, and the library has square cells only: {IN_TILED} Orientation to \
+                 Orthogonal, and {ONE_NUMBER}"
+            ));
+        }
     }
     let (width, height) = (map.tilewidth, map.tileheight);
     if width != height {
-        return Err(format!("tiles of {width}x{height} pixels are not square, and the library has square tiles only"));
+        return Err(format!(
+            "tiles of {width}x{height} pixels are not square, and the library has square tiles only: {IN_TILED} \
+             {ONE_NUMBER}"
+        ));
     }
     if !SIDES.contains(&width) {
         return Err(format!("tiles of {width} pixels; the library accepts 1 to 256"));
