@@ -100,7 +100,7 @@ impl<S: Law> Mover<S> {
     #[must_use]
     pub const fn with_responses(self, responses: Responses) -> Mover<ByFlags<S>> {
         let Self { up, response, bounce, limit, drop_through, inside, surface } = self;
-        let bounce = if responses.bounce == 0 { bounce } else { Bounce::LINKED };
+        let bounce = if responses.bounces() { Bounce::LINKED } else { bounce };
         Mover { up, response, bounce, limit, drop_through, inside, surface: ByFlags { surface, responses } }
     }
 

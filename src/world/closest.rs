@@ -3,7 +3,9 @@
 use super::joined::Joined;
 use super::level::{Feature, Geometry, World, ends, in_quadrant, normal, precedes, raw};
 use super::measure::Measure;
+use super::placed::Placed;
 use super::segment_map::SegmentMap;
+use super::solids::Solids;
 use super::solids::convex::ConvexSolids;
 use super::solids::convex_solid::SolidShape;
 use super::tile_map::{ShapeSet, Store, TileMap};
@@ -123,6 +125,37 @@ closest_point_of! {
     /// # Errors
     /// As [`TileMap::closest_point`].
     [S: SolidShape] ConvexSolids<'_, S>
+}
+
+closest_point_of! {
+    /// The point of the solids' surface at their current positions that is nearest to `p` and at
+    /// most `within` units away; as [`TileMap::closest_point`]. [`Feature::cell`] names the solid:
+    /// see [`Solids::key_of`].
+    ///
+    /// Cost: each face and corner of the solids whose box is within reach, and a look at all solids
+    /// for each.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Solid, Solids, Vec2, fx, world::OneWay};
+    /// let door = [Solid::new(Aabb::new(Vec2::from_ints(20, 0), Vec2::from_ints(24, 16))?, 3)?];
+    /// let near = Solids::new(&door).closest_point(Vec2::from_ints(12, 8), fx!(20), OneWay::Ignore)?.unwrap();
+    /// assert_eq!((near.point, near.distance), (Vec2::from_ints(20, 8), fx!(8)));
+    /// assert_eq!(Solids::key_of(near.feature.cell), Some(3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`TileMap::closest_point`].
+    [] Solids<'_>
+}
+
+closest_point_of! {
+    /// The point of the shifted level's surface that is nearest to `p` and at most `within` away;
+    /// as [`TileMap::closest_point`] of the level itself, shifted.
+    ///
+    /// # Errors
+    /// As [`TileMap::closest_point`].
+    [W: World] Placed<'_, W>
 }
 
 closest_point_of! {

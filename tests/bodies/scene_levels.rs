@@ -1,7 +1,7 @@
 //! The level for a body of a scene: responses by flags, a level per body, and the speed of a hit.
 
 use super::swept::{ball, body_of, boxed, scene, vec2};
-use tilesat::motion::Responses;
+use tilesat::motion::{Response, Responses};
 use tilesat::scene::{SceneBody, SceneEvent, Shape};
 use tilesat::world::Trail;
 use tilesat::{Axis, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2};
@@ -90,6 +90,30 @@ fn a_body_has_its_own_responses() {
             assert_eq!(told, [(body.velocity, Fx::from_num(speed))], "{body:?}");
             assert_eq!(body_of(&scene, body.key).velocity, Vec2::from_ints(x, y), "{body:?}");
         }
+    }
+}
+
+/// A bullet hits the floor before an enemy behind it. It reaches the enemy only if it slides.
+#[test]
+fn a_bullet_that_touches_stops_at_a_wall() {
+    let map = TileMap::from_ascii("........\n........\n########", &KINDS).unwrap();
+    for (responses, is_met) in [(Responses::NONE, true), (Responses::NONE.otherwise(Response::Touch), false)] {
+        let enemy = SceneBody::fixed(ball(74 << 16, 27 << 16, 5 << 16), 2);
+        let bullet = SceneBody {
+            velocity: Vec2::from_ints(20, 8),
+            floats: true,
+            responses,
+            ..SceneBody::new(ball(52 << 16, 28 << 16, 3 << 15), 1)
+        };
+        let (mut scene, mut hits, mut met) = (scene(&[bullet, enemy]), 0, false);
+        let stepped = scene.step(&map, Vec2::ZERO, |event| match event {
+            SceneEvent::Level { .. } => hits += 1,
+            SceneEvent::Meet { .. } => met = true,
+            _ => {}
+        });
+        assert_eq!((stepped.unwrap().held, hits > 0, met), (0, true, is_met));
+        assert!(is_met || hits == 1, "{hits}");
+        assert_eq!(body_of(&scene, 1).velocity == Vec2::ZERO, !is_met);
     }
 }
 

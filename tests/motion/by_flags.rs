@@ -189,6 +189,28 @@ fn the_order_of_the_builders_does_not_matter() {
     }
 }
 
+/// The response to all other surfaces is that of a mover with this response of its own.
+#[test]
+fn what_has_no_flag_receives_the_other_response() {
+    let table = Responses::NONE.touching(GLUE);
+    let body = Aabb::new(Vec2::ZERO, Vec2::from_ints(8, 8)).unwrap();
+    let wall = Aabb::new(Vec2::from_ints(10, -50), Vec2::from_ints(20, 50)).unwrap();
+    for (flags, response) in [0, GLUE, ICE]
+        .into_iter()
+        .flat_map(|flags| [Response::Slide, Response::Touch, Response::Bounce].map(|response| (flags, response)))
+    {
+        let wall = [Solid::new(wall, 0).unwrap().with_flags(flags)];
+        let after = |mover: Mover<ByFlags>| {
+            mover.move_and_slide(&Solids::new(&wall), &body, Vec2::from_ints(10, 3)).map(|moved| moved.velocity)
+        };
+        let expected = after(Mover::new().with_response(response).with_responses(table));
+        assert_eq!(after(Mover::new().with_responses(table.otherwise(response))), expected, "{flags} {response:?}");
+        // The table wins over the mover's own response.
+        let other = if response == Response::Touch { Response::Slide } else { Response::Touch };
+        assert_eq!(after(Mover::new().with_response(other).with_responses(table.otherwise(response))), expected);
+    }
+}
+
 /// A function that answers as the table does, and keeps what it was asked.
 struct Function {
     calls: u32,

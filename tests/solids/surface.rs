@@ -2,8 +2,9 @@
 //! moves bodies like the level of tiles with the same full cells, alone, and joined with tiles that
 //! contain a part of them.
 
+use tilesat::world::{Geometry, Near, OneWay, Placed};
 use tilesat::{
-    Axis, Body, Fx, Grid, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World, world::Geometry,
+    Aabb, Axis, Body, Fx, Grid, Joined, Mover, RangeError, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World,
 };
 use tilesat_judge::solids::{P, disc, rect, solid, vec2};
 use tilesat_judge::{Random, cases};
@@ -108,6 +109,38 @@ fn boxes_are_the_level_that_their_union_is() {
             check(&union, &other, &body, v, &case);
         }
     }
+}
+
+/// The nearest point of boxes, and of boxes at another place, is that of the tiles. From inside,
+/// parts of boxes that another one covers are surface, too.
+#[test]
+fn the_nearest_point_is_that_of_the_union() {
+    let mut random = Random::new(63);
+    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL as i32), Vec2::ZERO).unwrap();
+    let (mut found, by) = (0, vec2((70_000, -30_000)));
+    for _ in 0..cases(3_000) {
+        let s = scene(&mut random);
+        let (union, boxes) = (TileMap::on_grid(&s.union, grid, &KINDS).unwrap(), Solids::new(&s.boxes));
+        let placed = Placed::new(&boxes, by).unwrap();
+        for _ in 0..8 {
+            let p = vec2((place(&mut random), place(&mut random)));
+            let within = Fx::from_bits(random.below(3 * CELL) as i32);
+            let nearest = |near: Result<Option<Near>, RangeError>| {
+                near.unwrap().map(|near| (near.point, near.distance, near.axis, near.inside))
+            };
+            let got = nearest(boxes.closest_point(p, within, OneWay::Ignore));
+            let moved = nearest(placed.closest_point(p + by, within, OneWay::Ignore));
+            assert_eq!(moved.map(|(point, d, axis, inside)| (point - by, d, axis, inside)), got);
+            let expected = nearest(union.closest_point(p, within, OneWay::Ignore));
+            if !union.overlaps(&Aabb::new(p, p).unwrap()) {
+                // A tie goes to a face, and those of boxes end elsewhere than those of cells.
+                let spot = |near: (Vec2, Fx, Axis, bool)| (near.1, near.3);
+                assert_eq!(got.map(spot), expected.map(spot), "{:?} {p} {within}", s.boxes);
+                found += u32::from(got.is_some());
+            }
+        }
+    }
+    assert!(found > 1_000, "{found}");
 }
 
 #[test]

@@ -28,7 +28,8 @@ pub enum Response {
 /// The responses to surfaces with flags, by the flags of the tile, the segment or the
 /// [`Solid`](crate::Solid) that a body hits.
 ///
-/// A surface with none of the flags receives the mover's [`Response`]. With flags of several kinds,
+/// A surface with none of the flags receives the mover's [`Response`], unless the table has one for
+/// [all others](Self::otherwise). With flags of several kinds,
 /// touching wins over bouncing, and bouncing over sliding. The response applies to one hit: a body
 /// can bounce off a spring and slide along the floor in the same call.
 ///
@@ -63,11 +64,12 @@ pub struct Responses {
     pub(in crate::motion) touch: u8,
     pub(in crate::motion) bounce: u8,
     pub(in crate::motion) slide: u8,
+    pub(in crate::motion) otherwise: Option<Response>,
 }
 
 impl Responses {
     /// Every surface receives the mover's response.
-    pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0 };
+    pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0, otherwise: None };
 
     /// The response to a surface with these flags, if the table has one.
     #[must_use]
@@ -79,8 +81,21 @@ impl Responses {
         } else if flags & self.slide != 0 {
             Some(Response::Slide)
         } else {
-            None
+            self.otherwise
         }
+    }
+
+    /// Sets the response to surfaces with none of the flags, in place of the mover's. A bullet of a
+    /// [`Scene`](crate::Scene) that stops at every wall has `Responses::NONE` with
+    /// [`Response::Touch`] here.
+    #[must_use]
+    pub const fn otherwise(self, response: Response) -> Self {
+        Self { otherwise: Some(response), ..self }
+    }
+
+    /// Whether a surface can make a body bounce.
+    pub(in crate::motion) const fn bounces(self) -> bool {
+        self.bounce != 0 || matches!(self.otherwise, Some(Response::Bounce))
     }
 
     /// Adds [`Response::Touch`] for surfaces with any of these flags.

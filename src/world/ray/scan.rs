@@ -10,19 +10,54 @@ use crate::world::grid::Grid;
 use crate::world::joined::hidden::{Beside, PartPath};
 use crate::world::level::{Feature, Geometry, World, face_against};
 
-/// A level that lists the hits of a ray with their exact moments. Public in a private module,
-/// because [`Joined`] needs it of both levels.
+/// A level that a ray can meet: every level of this crate. Your code that takes any level and casts
+/// rays has this bound.
+///
+/// Sealed, as [`World`]: [`Joined`](crate::Joined) needs the exact moments of both levels' hits.
+///
+/// ```
+/// use tilesat::world::RayWorld;
+/// use tilesat::{Joined, RangeError, Solids, TileKind, TileKinds, TileMap, Vec2};
+/// fn sees<W: RayWorld>(level: &W, from: Vec2, to: Vec2) -> Result<bool, RangeError> {
+///     level.line_of_sight(from, to)
+/// }
+///
+/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+/// let tiles = TileMap::from_ascii(".#.", &KINDS)?;
+/// let level = Joined::new(&tiles, &Solids::new(&[]));
+/// assert!(!sees(&level, Vec2::from_ints(4, 8), Vec2::from_ints(40, 8))?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait RayWorld: World {
     /// The cursor.
+    #[doc(hidden)]
     type Scan<'w>: RayScan
     where
         Self: 'w;
 
-    /// # Errors
-    /// [`RangeError`] if the start or the end is outside the domain.
+    #[doc(hidden)]
     fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError>;
 
+    /// The first hit of a ray, as [`TileMap::cast_ray`](crate::TileMap::cast_ray).
+    ///
+    /// # Errors
+    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
+    fn cast_ray(&self, origin: Vec2, motion: Vec2, rules: impl Into<RayRules>) -> Result<Option<RayHit>, RangeError> {
+        Ok(self.scan(origin, motion, rules.into())?.next_found().map(|found| found.hit))
+    }
+
+    /// Whether a straight line is free of the level, as
+    /// [`TileMap::line_of_sight`](crate::TileMap::line_of_sight).
+    ///
+    /// # Errors
+    /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
+    fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
+        let (from, to) = (Raw::of(a), Raw::of(b));
+        Ok(self.cast_ray(a, to.sub(from).vec2(), Inside::Hit)?.is_none())
+    }
+
     /// Visits the levels of which this one is joined, each with its place.
+    #[doc(hidden)]
     fn parts<'w>(&'w self, path: PartPath, visit: &mut dyn FnMut(PartPath, &'w dyn Beside))
     where
         Self: Sized,
