@@ -30,7 +30,8 @@
 //! - **Test first.** Keep the door open while `door.overlaps(&body)` is true for any body.
 //! - **Push.** A door that is a moving [`Solid`](crate::Solid) pushes bodies aside with
 //!   [`Mover::ride`], or reports that one is [squashed](Ride::Squashed). Then stop the door, or
-//!   remove the body. Once the door is closed, tiles can replace it.
+//!   remove the body. [`Scene::ride`](crate::Scene::ride) has already moved the door then: look
+//!   before you move it. Once the door is closed, tiles can replace it.
 //! - **Put back.** Keep the last position at which the level did not overlap the body, and put the
 //!   body back there.
 //!

@@ -38,9 +38,9 @@ pub struct SceneBody<S = Shape> {
     /// Its restitution and friction at the level. If two bodies meet, the surface that bounces more
     /// is used, on a tie the one with less friction.
     pub surface: Surface,
-    /// The response to level tiles with flags, instead of a bounce by its
-    /// [`surface`](Self::surface). A grenade that stops in mud touches it, and a ball slides along
-    /// grass.
+    /// The response to level tiles with flags, and [to all others](Responses::otherwise), instead
+    /// of a bounce by its [`surface`](Self::surface). A grenade that stops in mud touches it, a
+    /// ball slides along grass, and a bullet touches all.
     pub responses: Responses,
     /// Which bodies it meets. [Sensors](Filter::sensor) are reported, but do not push and are not
     /// pushed. The scene sets [still](Filter::still).

@@ -11,7 +11,8 @@ use crate::query::Contact;
 #[non_exhaustive]
 pub enum SceneEvent<'a> {
     /// Two bodies, at most one of them a sensor, touched at the step's start. Reported in every
-    /// step in which they touch and one of them is awake. For begin and end, pass `pair` to
+    /// step in which they touch and one of them is awake. For begin and end, pass the pairs of
+    /// `Touch` and of [`Meet`](Self::Meet), which reports fast bodies, to
     /// [`PairEvents`](crate::broad::PairEvents).
     Touch {
         /// The two bodies; `a` has the smaller key.

@@ -234,7 +234,9 @@
 //! **Ghosts, bullets, pick-ups**: a [`Reply`] for each pair, from your closure in
 //! [`step_with`](Scene::step_with), decides whether two bodies ignore or cross each other, slide,
 //! touch or bounce. A [`Filter`](crate::Filter) costs less if whole groups ignore each other. For
-//! the level, use [`SceneBody::responses`] for surfaces that stop the body, and
+//! the level, use [`SceneBody::responses`] for surfaces that stop the body, or
+//! [`Responses::otherwise`](crate::motion::Responses::otherwise) for a bullet that stops at all of
+//! them. By default a body slides along a wall, and may meet others behind it in the same step. Use
 //! [`step_in`](Scene::step_in) for tiles that it passes. [`step_along`](Scene::step_along) reports
 //! those.
 //!
@@ -322,10 +324,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Sensors** never wake a body. A sensor with a mass meets sleeping bodies once you have placed
-//! it; give it `floats`. A fixed sensor and a sleeping body both rest. If you put the sensor on
-//! such a body, nothing is reported until the body wakes. Call [`wake`](crate::Scene::wake) for the
-//! bodies that [`near`](crate::Scene::near) finds there.
+//! **Sensors** never wake a body. A sensor with a mass meets sleeping bodies when it moves or once
+//! you have placed it; give it `floats`. A fixed sensor and a sleeping body both rest. If you put
+//! the sensor on such a body, nothing is reported until the body wakes. Call
+//! [`wake`](crate::Scene::wake) for the bodies that [`near`](crate::Scene::near) finds there.
 //!
 //! **Keys** must be unique for results that do not depend on the order of insertion. If two are
 //! equal, nothing fails: the one in the smaller slot is `a`, and slots depend on that order.

@@ -26,8 +26,8 @@ fn map(tiles: &[u8], width: u16) -> TileMap<'_, AllShapes> {
     TileMap::<AllShapes>::of(tiles, grid, &KINDS).unwrap()
 }
 
-/// The time, the point and the normal of a hit, and whether it starts inside. Pieces with one normal
-/// that are met at the same moment are equal.
+/// The time, the point and the normal of a hit, and whether it starts inside. Pieces with one
+/// normal that are met at the same moment are equal.
 type Seen = (Toi, Vec2, Axis, bool);
 
 fn seen(hit: RayHit) -> Seen {
