@@ -116,7 +116,7 @@ impl FirstEnd {
 
 impl<S: BodyShape> Slot<S> {
     /// Its shape at a time, on its way.
-    fn at(&self, time: Toi) -> S {
+    pub(super) fn at(&self, time: Toi) -> S {
         self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
     }
 
