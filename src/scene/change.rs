@@ -187,6 +187,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// each step.
     pub(super) fn wake_neighbours(&mut self, body: &SceneBody<S>) {
         let thrown = if body.mass.is_none() { size(body.velocity) } else { 0 };
+        if M > 0 && body.mass.is_none() {
+            self.stop_idling_around(&body.shape.aabb());
+        }
         if !body.filter.sensor() {
             self.wake_near(&around(&body.shape.aabb(), thrown.saturating_add(NEAR.to_bits() as u32)));
         }

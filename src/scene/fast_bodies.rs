@@ -124,7 +124,7 @@ where
         for handle in self.movers {
             self.finish(*handle);
         }
-        self.slots.iter_mut().for_each(|slot| slot.way = BodyWay::REST);
+        self.slots.iter_mut().for_each(|slot| slot.way = BodyWay::made(slot.way.rate));
     }
 
     /// A push is a part of the body's way: another body may be on it.
@@ -389,6 +389,7 @@ where
         let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
         slot.block(blocked_sides(slot.tally.push(), by), by);
+        slot.way.rate = by;
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {

@@ -148,6 +148,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         }
     }
 
+    /// A body without a mass appears: ends the idleness of the bodies that have it in their reach.
+    /// Fast ones make another step then, even if it touches none of them.
+    #[inline(never)]
+    pub(super) fn stop_idling_around(&mut self, bounds: &Aabb) {
+        let Self { slots, awake, count, memory, .. } = self;
+        for handle in awake.get(..*count).unwrap_or_default() {
+            let Some(slot) = slots.get(handle.slot()) else { continue };
+            let far = reach_of(memory, slot, handle.slot());
+            if around(&slot.body.shape.aabb(), far).touches(bounds) {
+                stop_idling(memory, handle.slot());
+            }
+        }
+    }
+
     /// After a step: bodies that it did not change, with all that they touch, become idle.
     #[inline(never)]
     pub(super) fn find_idle(&mut self, gravity: Vec2) {

@@ -116,7 +116,7 @@ impl FirstEnd {
 
 impl<S: BodyShape> Slot<S> {
     /// Its shape at a time, on its way.
-    fn at(&self, time: Toi) -> S {
+    pub(super) fn at(&self, time: Toi) -> S {
         self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
     }
 
@@ -177,8 +177,12 @@ pub(super) fn pair<S>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Pai
     Pair { a, b }
 }
 
-/// How far from its box a body may move in this step: no bounce makes it faster.
+/// How far from its box a body may move in this step: no bounce makes it faster. The velocity of a
+/// body without a mass only acts on others, and a sleeping body keeps what its last step collected.
 pub(super) fn reach<S: BodyShape>(slot: &Slot<S>) -> u32 {
+    if !slot.is_awake() {
+        return 0;
+    }
     size(slot.body.velocity + slot.tally.kick).saturating_add(size(slot.tally.push()))
 }
 

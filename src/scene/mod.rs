@@ -59,7 +59,7 @@
 //!    pushed out of bodies that are carried.
 //! 5. Fast bodies are moved last, from one hit to the next.
 //! 6. Bodies that have hardly moved for some steps fall asleep, together with all bodies that they
-//!    touch.
+//!    touch. One that comes to touch another in this step stays awake, so the next step reports it.
 //!
 //! # Guarantees
 //!

@@ -396,3 +396,40 @@ fn what_cannot_be_moved_is_held_and_told() {
     assert!(matches!(of(stuck), SceneFault::Move(MoveError::Stuck(_))));
     assert!(scene.body(free).unwrap().shape == boxed(200, 118, 10, 10).into());
 }
+
+/// A body that drifts may first touch another one in the step in which it has rested for long
+/// enough. It sleeps only once that was reported.
+#[test]
+fn a_touch_begins_before_both_rest() {
+    let map = room(ROOM);
+    let sensor = SceneBody { filter: Filter::default().with_sensor(true), ..SceneBody::fixed(boxed(120, 40, 8, 8), 2) };
+    let others = [SceneBody::fixed(boxed(120, 40, 8, 8), 2), sensor, SceneBody::new(boxed(120, 40, 8, 8), 2)];
+    let (mut touched, mut apart) = (0, 0);
+    for (case, other) in (0..).zip(others) {
+        for gap in (0..40).map(|k| 1000 * k + 300) {
+            let (mut scene, mut events) = (scene(), PairEvents::<8>::new());
+            let other = scene.insert(&SceneBody { floats: true, ..other }).unwrap();
+            run(&mut scene, &map, 40);
+            assert!(!scene.is_awake(other).unwrap());
+            let shape = boxed(112, 42, 8, 4).translated(Vec2::from_raw(-gap, 0)).unwrap();
+            let drifts = SceneBody { floats: true, fast: case > 0 && gap % 3 == 0, ..SceneBody::new(shape, 1) };
+            let drifts = scene.insert(&SceneBody { velocity: Vec2::from_raw(1000, 0), ..drifts }).unwrap();
+            let mut begun = 0;
+            for _ in 0..100 {
+                let each = |event: SceneEvent<'_>| {
+                    if let SceneEvent::Touch { pair, .. } = event {
+                        events.feed(pair);
+                    }
+                };
+                scene.step(&map, GRAVITY, each).unwrap();
+                events.finish(|pair| scene.rests(pair)).unwrap();
+                begun += events.iter().filter(|event| matches!(event, PairEvent::Begin(_))).count();
+            }
+            assert!(scene.awake().is_empty());
+            let touches = scene.body(drifts).unwrap().shape.touches(&scene.body(other).unwrap().shape);
+            assert!(begun > 0 || !touches, "{case}: {gap}");
+            *(if touches { &mut touched } else { &mut apart }) += 1;
+        }
+    }
+    assert!(touched > 60 && apart > 10, "{touched} {apart}");
+}
