@@ -4,7 +4,8 @@
 
 use tilesat::world::{Geometry, Near, OneWay, Placed};
 use tilesat::{
-    Aabb, Axis, Body, Fx, Grid, Joined, Mover, RangeError, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, World,
+    Aabb, Axis, Body, Fx, Grid, Inside, Joined, Mover, RangeError, RayHit, Solid, Solids, TileKind, TileKinds, TileMap,
+    Toi, Vec2, World,
 };
 use tilesat_judge::solids::{P, disc, rect, solid, vec2};
 use tilesat_judge::{Random, cases};
@@ -141,6 +142,37 @@ fn the_nearest_point_is_that_of_the_union() {
         }
     }
     assert!(found > 1_000, "{found}");
+}
+
+/// Rays from anywhere on the lattice of half cells, also from the seams and from covered parts of
+/// faces, see the same in the tiles of the union, in the boxes, and in two levels with a part each.
+#[test]
+fn rays_see_the_union() {
+    let mut random = Random::new(64);
+    let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL as i32), Vec2::ZERO).unwrap();
+    let (mut starts, mut inside) = (0, 0);
+    for _ in 0..cases(5_000) {
+        let s = scene(&mut random);
+        let (boxes, rest) = (Solids::new(&s.boxes), Solids::new(&s.rest));
+        let (union, part) =
+            (TileMap::on_grid(&s.union, grid, &KINDS).unwrap(), TileMap::on_grid(&s.part, grid, &KINDS).unwrap());
+        let (one, other) = (Joined::new(&part, &rest), Joined::new(&boxes, &part));
+        for _ in 0..30 {
+            let mut half = || random.within(-1, 2 * SIDE + 1) * CELL / 2;
+            let (o, e) = (vec2((half(), half())), vec2((half(), half())));
+            let seen = |hit: Result<Option<RayHit>, RangeError>| {
+                hit.unwrap().map(|hit| (hit.toi, hit.point, hit.axis, hit.inside))
+            };
+            let expected = seen(union.cast_ray(o, e - o, Inside::Hit));
+            let got = [boxes.cast_ray(o, e - o, Inside::Hit), one.cast_ray(o, e - o, Inside::Hit)];
+            for got in got.into_iter().chain([other.cast_ray(o, e - o, Inside::Hit)]) {
+                assert_eq!(seen(got), expected, "{:?} {:?} {:?} {o} {e}", s.boxes, s.part, s.rest);
+            }
+            starts += u32::from(expected.is_some_and(|hit| hit.0 == Toi::ZERO));
+            inside += u32::from(expected.is_some_and(|hit| hit.3));
+        }
+    }
+    assert!(starts > 10_000 && inside > 5_000, "{starts} {inside}");
 }
 
 #[test]

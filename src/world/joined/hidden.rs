@@ -27,12 +27,19 @@ pub struct PartPath {
     /// The last bits of its features' sources.
     bits: u8,
     depth: u32,
+    /// Which one of a list it is.
+    index: u16,
 }
 
 impl PartPath {
     /// The place of a part of the level at this place: 0 for the first, 1 for the second.
     pub(super) fn of_part(self, part: u8) -> Self {
-        Self { bits: self.bits | part.wrapping_shl(self.depth), depth: self.depth.wrapping_add(1) }
+        Self { bits: self.bits | part.wrapping_shl(self.depth), depth: self.depth.wrapping_add(1), ..self }
+    }
+
+    /// The place of an item of the list at this place.
+    pub(in crate::world) const fn of_item(self, index: u16) -> Self {
+        Self { index, ..self }
     }
 
     /// The source of a feature of the level here.
@@ -346,22 +353,16 @@ fn goes_on<J: World>(p: Raw, dir: Axis, inward: i32, other: &dyn Beside) -> bool
     !(corners && cornered) && (straight || front_of_end::<J>(p, along.reversed(), n, other) == Some(true))
 }
 
-/// Whether a ray from `o` by `d` that meets a piece meets a part of it that the other level hides:
-/// a face that is not there beside it, or an end of a face that is covered just there.
-pub(super) fn hides<J: World>(geometry: &Geometry, o: Raw, d: Raw, other: &dyn Beside) -> bool {
+/// Whether the other level hides a piece: a face that is not there beside it.
+pub(super) fn hides<J: World>(geometry: &Geometry, other: &dyn Beside) -> bool {
     let Geometry::Face { a, dir, len, .. } = *geometry else { return false };
-    let edge = FaceSegment::new(Raw::of(a), dir, len);
-    if covered::<J>(&edge, other) {
-        return true;
-    }
-    let hidden =
-        |p: Raw, along: Axis| o.sub(p).cross(d) == 0 && front_of_end::<J>(p, along, normal(dir), other) == Some(true);
-    hidden(edge.a, dir) || hidden(edge.b, dir.reversed())
+    covered::<J>(&FaceSegment::new(Raw::of(a), dir, len), other)
 }
 
-/// The end of a face through which a ray from `o` by `d` meets it.
-pub(super) fn end_met(geometry: &Geometry, o: Raw, d: Raw) -> Option<Raw> {
+/// The end of a face through which a ray from `o` by `d` meets it, and the direction from there
+/// along the face.
+pub(super) fn end_met(geometry: &Geometry, o: Raw, d: Raw) -> Option<(Raw, Axis)> {
     let Geometry::Face { a, dir, len, .. } = *geometry else { return None };
     let edge = FaceSegment::new(Raw::of(a), dir, len);
-    [edge.a, edge.b].into_iter().find(|&p| o.sub(p).cross(d) == 0)
+    [(edge.a, dir), (edge.b, dir.reversed())].into_iter().find(|&(p, _)| o.sub(p).cross(d) == 0)
 }

@@ -2,7 +2,7 @@
 
 use super::Joined;
 use super::hidden::{Beside, PartPath, end_met, hides};
-use super::start::StartSurface;
+use super::start::{StartSurface, is_covered};
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, less128, mul64};
 use crate::world::level::Geometry;
@@ -25,7 +25,7 @@ impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
         self.cast_ray_all(origin, motion, rules)
     }
 
-    fn parts<'w>(&'w self, path: PartPath, visit: &mut dyn FnMut(PartPath, &'w dyn Beside)) {
+    fn parts(&self, path: PartPath, visit: &mut dyn FnMut(PartPath, &dyn Beside)) {
         self.first().parts(path.of_part(0), visit);
         self.second().parts(path.of_part(1), visit);
     }
@@ -184,16 +184,19 @@ impl<A: RayWorld, B: RayWorld> JoinedRayHits<'_, A, B> {
         found.map(|f| ScanHit { hit: RayHit { source: f.hit.source << 1 | source, ..f.hit }, ..f })
     }
 
+    /// Whether a hit is on a hidden face, or at the end of a face that is covered just there.
     fn hidden(&self, found: Option<ScanHit>, other: &dyn Beside) -> bool {
-        let met = found.and_then(|found| found.met);
-        met.is_some_and(|met| hides::<Joined<'_, A, B>>(&met.feature.geometry, self.o, self.d, other))
+        let Some(met) = found.and_then(|found| found.met) else { return false };
+        let geometry = &met.feature.geometry;
+        hides::<Joined<'_, A, B>>(geometry, other)
+            || end_met(geometry, self.o, self.d).is_some_and(|end| is_covered(&self.pair, None, end, met.touch.normal))
     }
 
     /// The best hit at the end of a hidden face. A scan reports one hit per moment, and so keeps
     /// back a second face that the ray meets there.
     fn shown_at_end(&self, hidden: &ScanHit) -> Option<ScanHit> {
         let met = hidden.met?;
-        let end = end_met(&met.feature.geometry, self.o, self.d)?;
+        let (end, _) = end_met(&met.feature.geometry, self.o, self.d)?;
         let [solid, one_way] = StartSurface::of(&self.pair, end, self.d).best;
         let feature = self.best(solid, one_way)?.feature;
         let touch = meet::<Joined<'_, A, B>>(self.o, self.d, &feature)?;

@@ -67,11 +67,7 @@ impl StartSurface {
             if o == end {
                 continue;
             }
-            // The points just in front are in one solid, or in none.
-            let mut covered = false;
-            level.parts(PartPath::default(), &mut |other_path, other| {
-                covered |= other_path != path && front_of_end::<J>(o, along, n, other) == Some(true);
-            });
+            let covered = is_covered(level, Some(path), (o, along), n);
             let way = Axis::new(d.x, d.y);
             bare |= !covered;
             self.on_seam |= covered && !feature.one_way && along.perp_dot(way) == 0 && along.dot(way) > 0;
@@ -94,4 +90,15 @@ impl StartSurface {
             *best = Some(Met { feature: *feature, touch });
         }
     }
+}
+
+/// Whether the points just in front of a face with the normal `n` are in the solid, from `p` on in
+/// the direction `along`. They are in the solid of one part, or of none. The part at `own` has the
+/// face.
+pub(super) fn is_covered<J: RayWorld>(level: &J, own: Option<PartPath>, (p, along): (Raw, Axis), n: Axis) -> bool {
+    let mut covered = false;
+    level.parts(PartPath::default(), &mut |path, part| {
+        covered |= own != Some(path) && front_of_end::<J>(p, along, n, part) == Some(true);
+    });
+    covered
 }

@@ -56,9 +56,10 @@ pub trait RayWorld: World {
         Ok(self.cast_ray(a, to.sub(from).vec2(), Inside::Hit)?.is_none())
     }
 
-    /// Visits the levels of which this one is joined, each with its place.
+    /// Visits the levels of which this one is joined, each with its place. No part covers a face of
+    /// its own.
     #[doc(hidden)]
-    fn parts<'w>(&'w self, path: PartPath, visit: &mut dyn FnMut(PartPath, &'w dyn Beside))
+    fn parts(&self, path: PartPath, visit: &mut dyn FnMut(PartPath, &dyn Beside))
     where
         Self: Sized,
     {

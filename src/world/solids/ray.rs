@@ -9,6 +9,7 @@ use super::features::{PieceSet, faces_against, full, in_front, quadrants, quadra
 use super::solid::Solid;
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, imul};
+use crate::world::joined::hidden::{Beside, PartPath};
 use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_of, start_inside, straight};
 use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
 
@@ -198,6 +199,13 @@ impl RayWorld for Solids<'_> {
 
     fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
         self.cast_ray_all(origin, motion, rules)
+    }
+
+    /// Each box is a part: another one may cover a part of its face.
+    fn parts(&self, path: PartPath, visit: &mut dyn FnMut(PartPath, &dyn Beside)) {
+        for (index, solid) in (0..).zip(self.list()) {
+            visit(path.of_item(index), &Solids::new(core::slice::from_ref(solid)));
+        }
     }
 }
 
