@@ -92,8 +92,8 @@ rays! {
         /// inside. A ray from `a` decides it.
         ///
         /// If no line runs along a border, `a.line_of_sight(..)? && b.line_of_sight(..)?` gives the
-        /// same answer. It takes a quarter of the time, of the code and of the stack. Along a floor
-        /// that continues from level to level, it sees the end of the next floor as a wall.
+        /// same answer for much less time, code and stack. Along a floor that continues from level
+        /// to level, it sees the end of the next floor as a wall.
         ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
