@@ -25,6 +25,41 @@ pub enum Response {
     Bounce,
 }
 
+/// The response to all other surfaces. The mover's own is 0: a static [`Scene`](crate::Scene)
+/// without bodies takes no flash then. As an `Option`, none would be 4.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(in crate::motion) enum Otherwise {
+    #[default]
+    Mover,
+    Slide,
+    Touch,
+    DropThrough,
+    Bounce,
+}
+
+impl Otherwise {
+    const fn of(response: Response) -> Self {
+        match response {
+            Response::Slide => Self::Slide,
+            Response::Touch => Self::Touch,
+            Response::DropThrough => Self::DropThrough,
+            Response::Bounce => Self::Bounce,
+        }
+    }
+
+    const fn response(self) -> Option<Response> {
+        match self {
+            Self::Mover => None,
+            Self::Slide => Some(Response::Slide),
+            Self::Touch => Some(Response::Touch),
+            Self::DropThrough => Some(Response::DropThrough),
+            Self::Bounce => Some(Response::Bounce),
+        }
+    }
+}
+
 /// The responses to surfaces with flags, by the flags of the tile, the segment or the
 /// [`Solid`](crate::Solid) that a body hits.
 ///
@@ -64,12 +99,12 @@ pub struct Responses {
     pub(in crate::motion) touch: u8,
     pub(in crate::motion) bounce: u8,
     pub(in crate::motion) slide: u8,
-    pub(in crate::motion) otherwise: Option<Response>,
+    pub(in crate::motion) otherwise: Otherwise,
 }
 
 impl Responses {
     /// Every surface receives the mover's response.
-    pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0, otherwise: None };
+    pub const NONE: Self = Self { touch: 0, bounce: 0, slide: 0, otherwise: Otherwise::Mover };
 
     /// The response to a surface with these flags, if the table has one.
     #[must_use]
@@ -81,7 +116,7 @@ impl Responses {
         } else if flags & self.slide != 0 {
             Some(Response::Slide)
         } else {
-            self.otherwise
+            self.otherwise.response()
         }
     }
 
@@ -90,12 +125,12 @@ impl Responses {
     /// [`Response::Touch`] here.
     #[must_use]
     pub const fn otherwise(self, response: Response) -> Self {
-        Self { otherwise: Some(response), ..self }
+        Self { otherwise: Otherwise::of(response), ..self }
     }
 
     /// Whether a surface can make a body bounce.
     pub(in crate::motion) const fn bounces(self) -> bool {
-        self.bounce != 0 || matches!(self.otherwise, Some(Response::Bounce))
+        self.bounce != 0 || matches!(self.otherwise, Otherwise::Bounce)
     }
 
     /// Adds [`Response::Touch`] for surfaces with any of these flags.
