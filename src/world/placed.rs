@@ -265,6 +265,10 @@ impl<W: RayWorld> RayScan for PlacedRayHits<'_, W> {
         }
         Some(found)
     }
+
+    fn goes_in(&self) -> bool {
+        self.scan.goes_in()
+    }
 }
 
 impl<W: RayWorld> Iterator for PlacedRayHits<'_, W> {

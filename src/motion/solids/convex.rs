@@ -8,7 +8,7 @@
 use super::push::Press;
 use super::room::{HalfPlane, RoomToMove};
 use super::shove::Shove;
-use super::turn::Turn;
+use super::turn::{Turn, lowest};
 use super::{Carrier, Ridden, Ride};
 use crate::error::{Quantity, RangeError};
 use crate::motion::body::Body;
@@ -20,7 +20,7 @@ use crate::motion::run::{Run, check_inside};
 use crate::motion::search::{Around, Search, check_cells, hull};
 use crate::motion::slope_limit::SurfaceRole;
 use crate::motion::{MoveError, Moved, Mover, Stuck, Work};
-use crate::num::{Axis, Fx, MOTION, Raw, Vec2, leading_zeros32, less128, sqr64};
+use crate::num::{Axis, Fx, MOTION, Raw, Vec2, less128, sqr64};
 use crate::query::cast::moment::{along, is_below, reach};
 use crate::query::meet;
 use crate::shape::Aabb;
@@ -288,31 +288,6 @@ fn on_peak<B: Body>(body: &B, p: Raw, each: &mut dyn FnMut(Axis)) {
     } else if lo.y < p.y && p.y < hi.y && (p.x == hi.x || p.x == lo.x) {
         each(Axis::new(if p.x == hi.x { -1 } else { 1 }, 0));
     }
-}
-
-/// The points of a body that are lowest over a face with the normal `n`, in the direction of the
-/// face: both ends of a side that lies on it.
-///
-/// Along x and y exactly: corners differ by less than 2^29 along the face, so of two at unequal
-/// heights the lower one is farther in both directions. Otherwise a side counts that is within 1 :
-/// 512 of the face.
-pub(super) fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
-    let size = n.x.unsigned_abs().max(n.y.unsigned_abs());
-    let (up, slack) = if n.x == 0 || n.y == 0 { (29, 29) } else { (leading_zeros32(size) & 31, 9) };
-    // Below 2^28, or 2^29 along x and y.
-    let n = if slack == 9 {
-        Raw { x: n.x << up.saturating_sub(4), y: n.y << up.saturating_sub(4) }
-    } else {
-        Raw { x: n.x.signum() << up, y: n.y.signum() << up }
-    };
-    let toward = |aside: i32| {
-        let part = |across: i32, along: i32| {
-            let size = (along.unsigned_abs() >> slack) as i32;
-            aside.wrapping_mul(along.signum()).wrapping_mul(size).wrapping_sub(across)
-        };
-        body.toward(Axis::new(part(n.x, n.y.wrapping_neg()), part(n.y, n.x))).0
-    };
-    (toward(-1), toward(1))
 }
 
 /// Where a displacement meets the level.

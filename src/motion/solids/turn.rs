@@ -1,10 +1,9 @@
 //! Solids that turn: how their corners move, and how they push a body.
 
-use super::convex::lowest;
 use super::push::Press;
 use super::room::HalfPlane;
 use crate::motion::body::Body;
-use crate::num::{Axis, Raw, div_sqrt, toward};
+use crate::num::{Axis, Raw, div_sqrt, leading_zeros32, toward};
 use crate::query::Core;
 use crate::query::cast::moment::{along, is_below, reach};
 use crate::world::{ConvexSolid, Feature, Geometry, SolidShape, ends};
@@ -184,4 +183,29 @@ impl TurnGap {
 fn part_of(v: i32, far: i64, whole: u64) -> i32 {
     let size = crate::num::mul_div_wide((far.max(0) as u64).min(whole), v.unsigned_abs(), whole) as i32;
     if v < 0 { size.wrapping_neg() } else { size }
+}
+
+/// The points of a body that are lowest over a face with the normal `n`, in the direction of the
+/// face: both ends of a side that lies on it.
+///
+/// Along x and y exactly: corners differ by less than 2^29 along the face, so of two at unequal
+/// heights the lower one is farther in both directions. Otherwise a side counts that is within 1 :
+/// 512 of the face.
+pub(super) fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
+    let size = n.x.unsigned_abs().max(n.y.unsigned_abs());
+    let (up, slack) = if n.x == 0 || n.y == 0 { (29, 29) } else { (leading_zeros32(size) & 31, 9) };
+    // Below 2^28, or 2^29 along x and y.
+    let n = if slack == 9 {
+        Raw { x: n.x << up.saturating_sub(4), y: n.y << up.saturating_sub(4) }
+    } else {
+        Raw { x: n.x.signum() << up, y: n.y.signum() << up }
+    };
+    let toward = |aside: i32| {
+        let part = |across: i32, along: i32| {
+            let size = (along.unsigned_abs() >> slack) as i32;
+            aside.wrapping_mul(along.signum()).wrapping_mul(size).wrapping_sub(across)
+        };
+        body.toward(Axis::new(part(n.x, n.y.wrapping_neg()), part(n.y, n.x))).0
+    };
+    (toward(-1), toward(1))
 }

@@ -166,6 +166,10 @@ impl<A: RayWorld, B: RayWorld> RayScan for JoinedRayHits<'_, A, B> {
             }
         }
     }
+
+    fn goes_in(&self) -> bool {
+        self.a.scan.goes_in() || self.b.scan.goes_in()
+    }
 }
 
 impl<A: RayWorld, B: RayWorld> JoinedRayHits<'_, A, B> {
@@ -245,15 +249,6 @@ impl<A: RayWorld, B: RayWorld> JoinedRayHits<'_, A, B> {
         self.a.leave_start();
         self.b.leave_start();
         self.best(solid, one_way).map(|met| self.of(met, cells))
-    }
-
-    /// Whether a ray that starts on the borders of both levels is inside one of them just after.
-    fn goes_in(&self) -> bool {
-        let (o, motion) = (self.o.vec2(), self.d.vec2());
-        let rules = RayRules { inside: Inside::Ignore, one_way: false };
-        let at_start = |found: Option<ScanHit>| found.is_some_and(|found| is_at_start(&found));
-        self.pair.first().scan(o, motion, rules).is_ok_and(|mut scan| at_start(scan.next_found()))
-            || self.pair.second().scan(o, motion, rules).is_ok_and(|mut scan| at_start(scan.next_found()))
     }
 }
 

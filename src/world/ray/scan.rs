@@ -71,6 +71,9 @@ pub trait RayWorld: World {
 pub trait RayScan {
     /// The next hit.
     fn next_found(&mut self) -> Option<ScanHit>;
+
+    /// Whether the ray is inside the solid just after its start, which is not inside.
+    fn goes_in(&self) -> bool;
 }
 
 /// A level whose surface is found cell by cell, bands included as [`beyond`](Self::beyond) says.
@@ -172,6 +175,11 @@ impl<'w, L: RayLevel> Scan<'w, L> {
             after: None,
             stage: Stage::Start,
         }
+    }
+
+    /// Whether the ray is inside the solid just after its start.
+    pub(in crate::world) fn goes_in(&self) -> bool {
+        self.level.enters(self.o, self.d, &self.level.walk(self.o, self.d))
     }
 
     /// The next hit, with the feature that it met.

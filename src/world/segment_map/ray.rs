@@ -170,4 +170,8 @@ impl RayScan for SegmentRayHits<'_, '_> {
     fn next_found(&mut self) -> Option<ScanHit> {
         SegmentRayHits::find(self)
     }
+
+    fn goes_in(&self) -> bool {
+        self.scan.goes_in()
+    }
 }

@@ -138,6 +138,11 @@ impl<S: SolidShape> RayScan for ConvexRayHits<'_, S> {
         self.after = Some(moment);
         Some(ScanHit { hit: hit_at::<ConvexSolids<'_, S>>(self.o, self.d, &met, self.looks), met: Some(met) })
     }
+
+    fn goes_in(&self) -> bool {
+        let at_start = |(met, _): (Met, RayMoment)| met.touch.time.is_some_and(|time| time.num == 0);
+        self.all.list().iter().filter_map(|solid| self.met(solid)).any(at_start)
+    }
 }
 
 impl<'w, S: SolidShape> ConvexRayHits<'w, S> {

@@ -107,7 +107,7 @@ impl SolidRayHits<'_> {
                 return Some(ScanHit { hit, met: None });
             }
         }
-        let goes_in = self.goes_in();
+        let goes_in = self.enters();
         let mut best: Option<(Met, Time)> = None;
         for solid in self.all.list() {
             if solid.one_way().is_some() && !self.rules.one_way {
@@ -139,7 +139,7 @@ impl SolidRayHits<'_> {
 
     /// Whether the ray is strictly inside just after its start: in all the quadrants that it is
     /// next to.
-    fn goes_in(&self) -> bool {
+    fn enters(&self) -> bool {
         let next_to = |v: i32, more: PieceSet, less: PieceSet| match v.signum() {
             1 => more,
             -1 => less,
@@ -212,5 +212,9 @@ impl RayWorld for Solids<'_> {
 impl RayScan for SolidRayHits<'_> {
     fn next_found(&mut self) -> Option<ScanHit> {
         self.find()
+    }
+
+    fn goes_in(&self) -> bool {
+        self.enters()
     }
 }

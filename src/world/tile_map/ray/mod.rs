@@ -269,4 +269,8 @@ impl<S: ShapeSet, T: Store> RayScan for RayHits<'_, '_, S, T> {
     fn next_found(&mut self) -> Option<ScanHit> {
         self.scan.find()
     }
+
+    fn goes_in(&self) -> bool {
+        self.scan.goes_in()
+    }
 }
