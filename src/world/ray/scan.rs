@@ -23,8 +23,8 @@ use crate::world::level::{Feature, Geometry, World, face_against};
 /// }
 ///
 /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-/// let tiles = TileMap::from_ascii(".#.", &KINDS)?;
-/// let level = Joined::new(&tiles, &Solids::new(&[]));
+/// let (tiles, doors) = (TileMap::from_ascii(".#.", &KINDS)?, Solids::new(&[]));
+/// let level = Joined::new(&tiles, &doors);
 /// assert!(!sees(&level, Vec2::from_ints(4, 8), Vec2::from_ints(40, 8))?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
