@@ -41,7 +41,7 @@ pub(super) fn holds_up<S: BodyShape>(lower: &S, upper: &S, weight: Vec2) -> bool
 }
 
 /// Steps of rest beyond the last in which a body that comes to touch another stays awake. In a heap
-/// bodies may move to and fro for ever, and touch anew in each step.
+/// bodies may move to and fro for ever, and touch again in each step.
 const AWAITED: u8 = 8;
 
 impl<S: BodyShape> Slot<S> {

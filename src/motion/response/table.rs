@@ -64,9 +64,9 @@ impl Otherwise {
 /// [`Solid`](crate::Solid) that a body hits.
 ///
 /// A surface with none of the flags receives the mover's [`Response`], unless the table has one for
-/// [all others](Self::otherwise). With flags of several kinds,
-/// touching wins over bouncing, and bouncing over sliding. The response applies to one hit: a body
-/// can bounce off a spring and slide along the floor in the same call.
+/// [all others](Self::otherwise). With flags of several kinds, touching wins over bouncing, and
+/// bouncing over sliding. The response applies to one hit: a body can bounce off a spring and slide
+/// along the floor in the same call.
 ///
 /// The table applies only to surfaces that stop the body. For tiles that a kind of body passes, use
 /// [`TileKinds::passing`](crate::TileKinds::passing). For one-way faces, use

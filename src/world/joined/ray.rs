@@ -132,10 +132,10 @@ impl<S: RayScan> OneAhead<S> {
         }
     }
 
-    /// Drops a hit at the start.
+    /// Drops a hit at the start, but not the end of a gap, which no piece of the surface shows.
     fn leave_start(&mut self) {
-        self.fill();
-        if self.next.is_some_and(|found| is_at_start(&found) && !is_cusp(&found)) {
+        let is_cusp = |met: &Met| matches!(met.feature.geometry, Geometry::Face { len: 0, .. });
+        if self.next.and_then(|found| found.met).is_some_and(|met| met.touch.is_at_start() && !is_cusp(&met)) {
             self.next = None;
         }
     }
@@ -250,16 +250,6 @@ impl<A: RayWorld, B: RayWorld> JoinedRayHits<'_, A, B> {
         self.b.leave_start();
         self.best(solid, one_way).map(|met| self.of(met, cells))
     }
-}
-
-/// Whether a piece is met at the start, at an exact moment.
-fn is_at_start(found: &ScanHit) -> bool {
-    found.met.is_some_and(|met| met.touch.time.is_some_and(|time| time.num == 0))
-}
-
-/// Whether it is the end of a gap, which no piece of the surface shows.
-fn is_cusp(found: &ScanHit) -> bool {
-    found.met.is_some_and(|met| matches!(met.feature.geometry, Geometry::Face { len: 0, .. }))
 }
 
 impl<A: RayWorld, B: RayWorld> Iterator for JoinedRayHits<'_, A, B> {

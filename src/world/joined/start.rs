@@ -86,7 +86,7 @@ impl StartSurface {
         let [solid, one_way] = &mut self.best;
         let best = if feature.one_way { one_way } else { solid };
         let first = best.as_ref().is_none_or(|best| touch.ranks_above(feature, best, d));
-        if first && touch.time.is_some_and(|time| time.num == 0) {
+        if first && touch.is_at_start() {
             *best = Some(Met { feature: *feature, touch });
         }
     }

@@ -215,6 +215,12 @@ pub(in crate::world) struct Met {
 }
 
 impl Touch {
+    /// Whether a ray meets a piece at its start; not for a point within an arc.
+    #[inline]
+    pub(in crate::world) fn is_at_start(&self) -> bool {
+        self.time.is_some_and(|time| time.num == 0)
+    }
+
     /// Whether a ray by `d` meets the piece `of` so before another one, or at the same moment and
     /// this is to be reported instead.
     ///

@@ -254,7 +254,7 @@ impl<'w, L: RayLevel> Scan<'w, L> {
                 let Some(touch) = &meet::<L>(self.o, self.d, piece) else { continue };
                 // At the start, solid pieces are met only where the ray goes into the solid: it may
                 // also leave, pass or slide along their ends.
-                let at_start = touch.time.is_some_and(|time| time.num == 0) && !piece.one_way;
+                let at_start = touch.is_at_start() && !piece.one_way;
                 if !at_start || self.level.enters(self.o, self.d, &self.walk) {
                     self.consider(piece, touch);
                 }

@@ -140,8 +140,7 @@ impl<S: SolidShape> RayScan for ConvexRayHits<'_, S> {
     }
 
     fn goes_in(&self) -> bool {
-        let at_start = |(met, _): (Met, RayMoment)| met.touch.time.is_some_and(|time| time.num == 0);
-        self.all.list().iter().filter_map(|solid| self.met(solid)).any(at_start)
+        self.all.list().iter().filter_map(|solid| self.met(solid)).any(|(met, _)| met.touch.is_at_start())
     }
 }
 
@@ -175,8 +174,7 @@ impl<'w, S: SolidShape> ConvexRayHits<'w, S> {
         for feature in (0..border.pieces()).step_by(step).filter_map(|index| border.piece(index, &way)) {
             let Some(touch) = meet::<ConvexSolids<'_, S>>(o, d, &feature) else { continue };
             // At the start only where the ray goes into the solid. A round part is met so only.
-            let at_start = touch.time.is_some_and(|time| time.num == 0);
-            if at_start && radius == 0 && leaves(core, o, d) {
+            if touch.is_at_start() && radius == 0 && leaves(core, o, d) {
                 return None;
             }
             // A ray meets the border of a convex solid at one moment: at a corner two pieces.

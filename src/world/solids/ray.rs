@@ -107,7 +107,7 @@ impl SolidRayHits<'_> {
                 return Some(ScanHit { hit, met: None });
             }
         }
-        let goes_in = self.enters();
+        let goes_in = self.goes_in();
         let mut best: Option<(Met, Time)> = None;
         for solid in self.all.list() {
             if solid.one_way().is_some() && !self.rules.one_way {
@@ -135,18 +135,6 @@ impl SolidRayHits<'_> {
         self.after = Some(time);
         let (toi, by, axis) = straight::<Solids<'_>>(self.d, time, met.touch.normal);
         Some(ScanHit { hit: hit_of(&met.feature, (toi, self.o.add(by), axis), self.cells), met: Some(met) })
-    }
-
-    /// Whether the ray is strictly inside just after its start: in all the quadrants that it is
-    /// next to.
-    fn enters(&self) -> bool {
-        let next_to = |v: i32, more: PieceSet, less: PieceSet| match v.signum() {
-            1 => more,
-            -1 => less,
-            _ => 0xf,
-        };
-        let (x, y) = (next_to(self.d.x, 0b0110, 0b1001), next_to(self.d.y, 0b1100, 0b0011));
-        x & y & !quadrants(self.all.list(), self.o) == 0
     }
 
     /// Whether a face is part of the union's surface where the ray crosses it: its front is free
@@ -214,7 +202,15 @@ impl RayScan for SolidRayHits<'_> {
         self.find()
     }
 
+    /// Whether the ray is strictly inside just after its start: in all the quadrants that it is
+    /// next to.
     fn goes_in(&self) -> bool {
-        self.enters()
+        let next_to = |v: i32, more: PieceSet, less: PieceSet| match v.signum() {
+            1 => more,
+            -1 => less,
+            _ => 0xf,
+        };
+        let (x, y) = (next_to(self.d.x, 0b0110, 0b1001), next_to(self.d.y, 0b1100, 0b0011));
+        x & y & !quadrants(self.all.list(), self.o) == 0
     }
 }
