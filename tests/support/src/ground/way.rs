@@ -39,7 +39,7 @@ fn over_disc(a: (f64, f64), b: (f64, f64), x: f64, r: f64) -> f64 {
         if d.abs() > r { f64::INFINITY } else { p.1 - (r * r - d * d).sqrt() }
     };
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-    let len = dx.hypot(dy);
+    let len = (dx * dx + dy * dy).sqrt();
     let mut best = end(a).min(end(b));
     if dx != 0.0 {
         // The foot on the line of the middle that is r above it.

@@ -24,10 +24,21 @@ pub fn overlaps(c: P, r: i64, a: P, b: P) -> bool {
 ///
 /// The sum of square and disc is two boxes and four discs around the corners.
 pub fn enters(c: P, r: i64, d: P, a: P, b: P, until: Time) -> bool {
+    if !passes(c, r, d, a, b) {
+        return false;
+    }
     let wide = rect::enters(c, c, d, (a.0 - r, a.1), (b.0 + r, b.1));
     let high = rect::enters(c, c, d, (a.0, a.1 - r), (b.0, b.1 + r));
     let boxes = [wide, high].iter().flatten().any(|(t, _)| *t < until);
     boxes || [a, b, (a.0, b.1), (b.0, a.1)].iter().any(|&p| enters_disc((c.0 - p.0, c.1 - p.1), r, d, until))
+}
+
+/// Whether the line of the motion crosses the open box that holds the sum of square and disc. Far
+/// motions come by many cells: most of them are off the line.
+fn passes(c: P, r: i64, d: P, a: P, b: P) -> bool {
+    let (m, half) = ((2 * c.0 - a.0 - b.0, 2 * c.1 - a.1 - b.1), (b.0 - a.0 + 2 * r, b.1 - a.1 + 2 * r));
+    let product = |a: i64, b: i64| i128::from(a) * i128::from(b);
+    (product(m.0, d.1) - product(m.1, d.0)).abs() < product(half.0, d.1.abs()) + product(half.1, d.0.abs())
 }
 
 /// Whether `|m + d t| < r` at a moment `0 <= t <= until`. It does not hold at 0.
@@ -94,7 +105,8 @@ pub fn enters_corner(level: &Level, body: &Body, d: P, until: Time) -> bool {
     let Body::Disc { c, core, r } = *body else { panic!("a circle is needed") };
     level.cells_along(body, d).filter(|&(x, y)| level.full(x, y)).any(|(x, y)| {
         let (a, b) = drawn_out(level.square(x, y), core);
-        [a, b, (a.0, b.1), (b.0, a.1)].iter().any(|&p| enters_disc((c.0 - p.0, c.1 - p.1), r, d, until))
+        passes(c, r, d, a, b)
+            && [a, b, (a.0, b.1), (b.0, a.1)].iter().any(|&p| enters_disc((c.0 - p.0, c.1 - p.1), r, d, until))
     })
 }
 
