@@ -29,9 +29,9 @@ mkdir -p "$out/defmt"
 out=$(cd "$out" && pwd)
 llvm=$(rustc --print target-libdir)/../bin
 
-# The pages of rustdoc that list the public types. The flags are those of `.ci/run`, so cargo writes
-# nothing twice.
-RUSTDOCFLAGS='-D warnings' cargo doc --quiet --no-deps --lib --all-features
+# The pages of rustdoc that list the public types. The flags and packages are those of `.ci/run`, so
+# cargo writes nothing twice.
+RUSTDOCFLAGS='-D warnings' cargo doc --quiet --no-deps --all-features --package tilesat --package tilesat-tools --package tilesat-guide
 cargo build --quiet --package tilesat-defmt-check
 
 # The same symbols in any directory, as in the tables of sizes, whose programs are among those
