@@ -19,6 +19,12 @@ pub trait Convex: Sized {
 
     fn outline(&self) -> Self::Corners<'_>;
 
+    /// The corners, if the shape stores them.
+    #[inline]
+    fn stored_corners(&self) -> Option<&[Vec2]> {
+        None
+    }
+
     /// The radius, raw and not negative; 0 for sharp shapes.
     #[inline]
     fn rounding(&self) -> i32 {
@@ -273,6 +279,11 @@ impl<const N: usize> Convex for ConvexPolygon<N> {
     #[inline]
     fn outline(&self) -> &[Vec2] {
         self.vertices()
+    }
+
+    #[inline]
+    fn stored_corners(&self) -> Option<&[Vec2]> {
+        Some(self.vertices())
     }
 
     #[inline]

@@ -87,8 +87,8 @@ fn are_nearest_corners(a: Core<'_>, i: usize, b: Core<'_>, j: usize) -> bool {
         && is_nearest(b, j, |v| way.dot(v) >= 0)
 }
 
-/// Whether two shapes overlap, the last side first. Their bounding boxes do.
-pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: &(Aabb, Aabb), last: &mut Separation) -> bool {
+/// Whether two shapes overlap, the last side first. Their bounding boxes do, if they are known.
+pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>, last: &mut Separation) -> bool {
     if last.separates(a, b) {
         return false;
     }
@@ -98,7 +98,7 @@ pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: &(Aabb, Aabb), last: &mu
     } else if each_side::are_few(a, b) {
         each_side::meet::<false>(a, b)
     } else {
-        SPLIT && shortly(a, b, boxes) == Some(true)
+        SPLIT && boxes.and_then(|boxes| shortly(a, b, boxes)) == Some(true)
     };
     if meet {
         return true;

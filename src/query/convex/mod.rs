@@ -8,6 +8,7 @@
 //! code: a game of boxes and circles links none of it.
 
 mod across;
+mod apart;
 mod box_contact;
 mod box_pair;
 mod box_point;
@@ -49,6 +50,7 @@ use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
 use crate::num::{Fx, LONG, Raw, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
+use apart::Quads;
 use box_pair::BoxPair;
 use box_point::BoxPoint;
 use capsules::Capsules;
@@ -169,12 +171,16 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
             return near.meets::<CLOSED>();
         }
     }
+    let quads = if LONG { None } else { Quads::of(a, b) };
+    if quads.as_ref().is_some_and(Quads::are_apart::<CLOSED>) {
+        return false;
+    }
     let radius = a.rounding().wrapping_add(b.rounding());
     if let (true, Some(p), Some(q)) = (radius != 0, a.ends(), b.ends()) {
         return boxes_meet::<CLOSED>(&bounds()) && capsules_meet::<CLOSED>(p, q, radius);
     }
-    // On a chip the bounds come first; elsewhere few sides take less than these.
-    let known = (!LONG).then(&bounds);
+    // On a chip the bounds of other shapes come first; elsewhere few sides take less than these.
+    let known = (!LONG && quads.is_none()).then(&bounds);
     if known.as_ref().is_some_and(|known| !boxes_meet::<CLOSED>(known)) {
         return false;
     }
@@ -239,8 +245,12 @@ macro_rules! pair {
         impl<$($n)*> OverlapsFrom<$b> for $a {
             #[inline]
             fn overlaps_from(&self, b: &$b, last: &mut Separation) -> bool {
+                if let Some(quads) = Quads::of(self, b) {
+                    return !quads.are_apart::<false>()
+                        && with_cores!(self, b, |a, b| hint::overlaps(a, b, None, last));
+                }
                 let bounds = (self.aabb(), b.aabb());
-                boxes_meet::<false>(&bounds) && with_cores!(self, b, |a, b| hint::overlaps(a, b, &bounds, last))
+                boxes_meet::<false>(&bounds) && with_cores!(self, b, |a, b| hint::overlaps(a, b, Some(&bounds), last))
             }
         }
 
