@@ -37,6 +37,19 @@ impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
         JoinedRayHits { pair: *self, o, d, rules, started: false, a, b }
     }
 
+    /// A level that does not stop the line has no hit, and is not looked at again. If neither does,
+    /// only a start between the two can stop it.
+    fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
+        let (o, end) = (Raw::of(a), Raw::of(b));
+        let free_of_first = self.first().line_of_sight(a, b)?;
+        let free_of_second = free_of_first && self.second().line_of_sight(a, b)?;
+        if free_of_second && !(self.first().touches_at(o) && self.second().touches_at(o)) {
+            return Ok(true);
+        }
+        let (o, d) = self.check_ray(a, end.sub(o).vec2())?;
+        Ok(self.is_free_together(o, d, [free_of_first, free_of_second]))
+    }
+
     fn parts(&self, path: PartPath, visit: &mut dyn FnMut(PartPath, &dyn Beside)) {
         self.first().parts(path.of_part(0), visit);
         self.second().parts(path.of_part(1), visit);
@@ -44,6 +57,15 @@ impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
 }
 
 impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
+    /// Whether a ray that starts and ends in the domain has no hit, if it is known which levels
+    /// have none.
+    #[inline(never)]
+    fn is_free_together(&self, o: Raw, d: Raw, free: [bool; 2]) -> bool {
+        let mut hits = self.scan(o, d, Inside::Hit.into());
+        [hits.a.over, hits.b.over] = free;
+        hits.next_found().is_none()
+    }
+
     /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
     /// count as one.
     ///
@@ -100,9 +122,12 @@ rays! {
         /// Whether the straight line from `a` to `b` is free of both levels, and does not start
         /// inside. A ray from `a` decides it.
         ///
+        /// It asks each level first. A line that both leave free costs no more than the two
+        /// answers, unless it starts on the surfaces of both.
+        ///
         /// If no line runs along a border, `a.line_of_sight(..)? && b.line_of_sight(..)?` gives the
-        /// same answer for much less time, code and stack. Along a floor that continues from level
-        /// to level, it sees the end of the next floor as a wall.
+        /// same answer for less code and stack. Along a floor that continues from level to level,
+        /// it sees the end of the next floor as a wall.
         ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
