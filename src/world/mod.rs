@@ -81,7 +81,7 @@ pub(crate) use level::{ANY_BODY, MotionPiece, Seen, corners_of, ends, normal, se
 pub use level::{Feature, Geometry, World};
 pub(crate) use lines::BlockHit;
 pub use placed::{Placed, PlacedFeatures, PlacedRayHits};
-pub use ray::scan::RayWorld;
+pub use ray::world::RayWorld;
 pub use ray::{Inside, RayHit, RayRules};
 pub use rooms::{Room, Rooms};
 pub use segment_map::{Path, PathKind, SegmentFeatures, SegmentMap, SegmentRayHits, Size};

@@ -1,8 +1,9 @@
 //! A level at another position: its surface, and rays against it.
 
 use super::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
-use super::ray::scan::{RayScan, RayWorld, ScanHit};
-use super::ray::{RayHit, RayRules, checked, rays};
+use super::ray::scan::ScanHit;
+use super::ray::world::{RayScan, RayWorld, rays};
+use super::ray::{RayHit, RayRules, checked};
 use crate::error::RangeError;
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
 use crate::shape::{Aabb, Circle};
@@ -212,9 +213,8 @@ impl<W: RayWorld> Placed<'_, W> {
         motion: Vec2,
         rules: impl Into<RayRules>,
     ) -> Result<PlacedRayHits<'_, W>, RangeError> {
-        let (o, _) = checked(origin, motion)?;
-        let offset = Raw::of(self.offset());
-        Ok(PlacedRayHits { scan: self.world().scan(o.sub(offset).vec2(), motion, rules.into())?, offset })
+        let (o, d) = self.check_ray(origin, motion)?;
+        Ok(self.scan(o, d, rules.into()))
     }
 }
 
@@ -285,7 +285,19 @@ impl<W: RayWorld> RayWorld for Placed<'_, W> {
     where
         Self: 'w;
 
-    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
-        self.cast_ray_all(origin, motion, rules)
+    fn check_ray(&self, origin: Vec2, motion: Vec2) -> Result<(Raw, Raw), RangeError> {
+        let (o, d) = checked(origin, motion)?;
+        self.world().check_ray(o.sub(self.offset).vec2(), motion)?;
+        Ok((o, d))
+    }
+
+    fn scan(&self, o: Raw, d: Raw, rules: RayRules) -> Self::Scan<'_> {
+        PlacedRayHits { scan: self.world().scan(o.sub(self.offset), d, rules), offset: self.offset }
+    }
+
+    fn cast_ray(&self, origin: Vec2, motion: Vec2, rules: impl Into<RayRules>) -> Result<Option<RayHit>, RangeError> {
+        let (o, _) = checked(origin, motion)?;
+        let hit = self.world().cast_ray(o.sub(self.offset).vec2(), motion, rules)?;
+        Ok(hit.map(|hit| RayHit { point: Raw::of(hit.point).add(self.offset).vec2(), ..hit }))
     }
 }

@@ -7,7 +7,7 @@
 use super::hidden::{FaceSegment, PartPath, front_of_end, point};
 use crate::num::{Axis, Raw, usqr};
 use crate::world::level::{Feature, Geometry, normal};
-use crate::world::ray::scan::RayWorld;
+use crate::world::ray::world::RayWorld;
 use crate::world::ray::{Met, RayPieces, meet};
 
 /// The surface at the start of a ray.
@@ -52,6 +52,19 @@ impl StartSurface {
             });
         });
         start
+    }
+
+    /// The better one of the solid face and the one-way face, of those that count.
+    pub(super) fn first_met(&mut self, solid_counts: bool, one_way_counts: bool, d: Raw) -> Option<&mut Met> {
+        let [solid, one_way] = &mut self.best;
+        let solid = solid.as_mut().filter(|_| solid_counts);
+        let one_way = one_way.as_mut().filter(|_| one_way_counts);
+        match (solid, one_way) {
+            (Some(solid), Some(one_way)) => {
+                Some(if one_way.touch.ranks_above(&one_way.feature, solid, d) { one_way } else { solid })
+            }
+            (solid, one_way) => solid.or(one_way),
+        }
     }
 
     fn add_face<J: RayWorld + RayPieces>(

@@ -1,13 +1,14 @@
 //! Rays through any level: questions, answers, and how a ray meets one piece of a surface.
 //!
 //! Whether a piece is hit is decided exactly, without root or division. The time is an exact
-//! fraction, or a lower bound within an arc. This module also has the walk over the cells, and the
-//! engine that finds the hits in order.
+//! fraction, or a lower bound within an arc. This module also has the walk over the cells, the
+//! engine that finds the hits in order, and the trait of the levels that a ray can meet.
 
 pub(in crate::world) mod scan;
 #[cfg(test)]
 mod tests;
 pub(in crate::world) mod walk;
+pub(in crate::world) mod world;
 
 pub use crate::query::Inside;
 
@@ -136,37 +137,6 @@ pub(in crate::world) const fn refusal(o: Raw, d: Raw) -> RangeError {
         RangeError { what: Quantity::MotionY, value: o.y.saturating_add(d.y) }
     }
 }
-
-/// The methods of each kind of level, after the documentation of each:
-/// `rays! { [parameters] type { /// ... cast_ray, ... } }`.
-macro_rules! rays {
-    ([$($parameters:tt)*] $level:ty { $($(#[$doc:meta])* $verb:ident,)* }) => {
-        impl<$($parameters)*> $level {
-            $($crate::world::ray::rays! { @$verb $(#[$doc])* })*
-        }
-    };
-    (@cast_ray $(#[$doc:meta])*) => {
-        $(#[$doc])*
-        #[doc(alias("raycast", "linecast"))]
-        pub fn cast_ray(
-            &self,
-            origin: $crate::Vec2,
-            motion: $crate::Vec2,
-            rules: impl Into<$crate::world::RayRules>,
-        ) -> Result<Option<$crate::world::RayHit>, $crate::RangeError> {
-            Ok(self.cast_ray_all(origin, motion, rules)?.next())
-        }
-    };
-    (@line_of_sight $(#[$doc:meta])*) => {
-        $(#[$doc])*
-        #[doc(alias("linecast", "visibility"))]
-        pub fn line_of_sight(&self, a: $crate::Vec2, b: $crate::Vec2) -> Result<bool, $crate::RangeError> {
-            let (from, to) = ($crate::num::Raw::of(a), $crate::num::Raw::of(b));
-            Ok(self.cast_ray(a, to.sub(from).vec2(), $crate::world::Inside::Hit)?.is_none())
-        }
-    };
-}
-pub(in crate::world) use rays;
 
 /// The kinds of pieces that a level can have.
 pub(in crate::world) trait RayPieces {

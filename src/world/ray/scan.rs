@@ -1,80 +1,12 @@
 //! The hits of a ray in order: one engine for every kind of level.
 
 use super::walk::{Axes, Beyond, RayWalk, along};
-use super::{Met, RayHit, RayPieces, RayRules, Time, Touch, arc_contact, checked, meet};
-use crate::error::RangeError;
-use crate::num::{Axis, Raw, Toi, Vec2, mul_div, mul_div_wide, umul};
+use super::{Met, RayHit, RayPieces, RayRules, Time, Touch, arc_contact, meet};
+use crate::num::{Axis, Raw, Toi, mul_div, mul_div_wide, umul};
 use crate::query::Inside;
 use crate::world::cell::Cell;
 use crate::world::grid::Grid;
-use crate::world::joined::hidden::{Beside, PartPath};
-use crate::world::level::{Feature, Geometry, World, face_against};
-
-/// A level that a ray can meet: every level of this crate. Your code that takes any level and casts
-/// rays has this bound.
-///
-/// Sealed, as [`World`]: [`Joined`](crate::Joined) needs the exact moments of both levels' hits.
-///
-/// ```
-/// use tilesat::world::RayWorld;
-/// use tilesat::{Joined, RangeError, Solids, TileKind, TileKinds, TileMap, Vec2};
-/// fn sees<W: RayWorld>(level: &W, from: Vec2, to: Vec2) -> Result<bool, RangeError> {
-///     level.line_of_sight(from, to)
-/// }
-///
-/// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-/// let (tiles, doors) = (TileMap::from_ascii(".#.", &KINDS)?, Solids::new(&[]));
-/// let level = Joined::new(&tiles, &doors);
-/// assert!(!sees(&level, Vec2::from_ints(4, 8), Vec2::from_ints(40, 8))?);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub trait RayWorld: World {
-    /// The cursor.
-    #[doc(hidden)]
-    type Scan<'w>: RayScan
-    where
-        Self: 'w;
-
-    #[doc(hidden)]
-    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError>;
-
-    /// The first hit of a ray, as [`TileMap::cast_ray`](crate::TileMap::cast_ray).
-    ///
-    /// # Errors
-    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
-    fn cast_ray(&self, origin: Vec2, motion: Vec2, rules: impl Into<RayRules>) -> Result<Option<RayHit>, RangeError> {
-        Ok(self.scan(origin, motion, rules.into())?.next_found().map(|found| found.hit))
-    }
-
-    /// Whether a straight line is free of the level, as
-    /// [`TileMap::line_of_sight`](crate::TileMap::line_of_sight).
-    ///
-    /// # Errors
-    /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
-    fn line_of_sight(&self, a: Vec2, b: Vec2) -> Result<bool, RangeError> {
-        let (from, to) = (Raw::of(a), Raw::of(b));
-        Ok(self.cast_ray(a, to.sub(from).vec2(), Inside::Hit)?.is_none())
-    }
-
-    /// Visits the levels of which this one is joined, each with its place. No part covers a face of
-    /// its own.
-    #[doc(hidden)]
-    fn parts(&self, path: PartPath, visit: &mut dyn FnMut(PartPath, &dyn Beside))
-    where
-        Self: Sized,
-    {
-        visit(path, self);
-    }
-}
-
-/// See [`RayWorld`].
-pub trait RayScan {
-    /// The next hit.
-    fn next_found(&mut self) -> Option<ScanHit>;
-
-    /// Whether the ray is inside the solid just after its start, which is not inside.
-    fn goes_in(&self) -> bool;
-}
+use crate::world::level::{Feature, Geometry, face_against};
 
 /// A level whose surface is found cell by cell, bands included as [`beyond`](Self::beyond) says.
 pub(in crate::world) trait RayLevel: RayPieces {
@@ -154,13 +86,6 @@ impl<L> Clone for Scan<'_, L> {
 }
 
 impl<'w, L: RayLevel> Scan<'w, L> {
-    /// # Errors
-    /// [`RangeError`] if the start or the end is outside the domain.
-    pub(in crate::world) fn new(level: &'w L, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self, RangeError> {
-        let (o, d) = checked(origin, motion)?;
-        Ok(Self::of(level, o, d, rules))
-    }
-
     /// For a ray that starts and ends in the domain.
     #[inline]
     pub(in crate::world) fn of(level: &'w L, o: Raw, d: Raw, rules: RayRules) -> Self {

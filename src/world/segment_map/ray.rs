@@ -7,9 +7,10 @@ use crate::num::{Raw, Vec2};
 use crate::world::cell::Cell;
 use crate::world::grid::Grid;
 use crate::world::level::Feature;
-use crate::world::ray::scan::{RayLevel, RayScan, RayWorld, Scan, ScanHit};
+use crate::world::ray::scan::{RayLevel, Scan, ScanHit};
 use crate::world::ray::walk::{Beyond, RayWalk};
-use crate::world::ray::{RayHit, RayPieces, RayRules, rays};
+use crate::world::ray::world::{RayScan, RayWorld, rays};
+use crate::world::ray::{RayHit, RayPieces, RayRules, checked};
 
 impl<'a> SegmentMap<'a> {
     /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
@@ -25,7 +26,8 @@ impl<'a> SegmentMap<'a> {
         motion: Vec2,
         rules: impl Into<RayRules>,
     ) -> Result<SegmentRayHits<'_, 'a>, RangeError> {
-        Ok(SegmentRayHits { scan: Scan::new(self, origin, motion, rules.into())?, map: self })
+        let (o, d) = checked(origin, motion)?;
+        Ok(self.scan(o, d, rules.into()))
     }
 
     /// Whether a ray is strictly inside the solid just after its start: on both of its sides.
@@ -161,8 +163,9 @@ impl<'a> RayWorld for SegmentMap<'a> {
     where
         Self: 'w;
 
-    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
-        self.cast_ray_all(origin, motion, rules)
+    #[inline]
+    fn scan(&self, o: Raw, d: Raw, rules: RayRules) -> Self::Scan<'_> {
+        SegmentRayHits { scan: Scan::of(self, o, d, rules), map: self }
     }
 }
 

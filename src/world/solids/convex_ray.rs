@@ -13,8 +13,9 @@ use crate::query::{Core, meet as boxes, meets};
 use crate::shape::Aabb;
 use crate::world::level::{Geometry, precedes};
 use crate::world::measure::product;
-use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_at, start_inside};
-use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
+use crate::world::ray::scan::{ScanHit, hit_at, start_inside};
+use crate::world::ray::world::{RayScan, RayWorld, rays};
+use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet};
 use core::cmp::Ordering;
 
 impl<S: SolidShape> RayPieces for ConvexSolids<'_, S> {
@@ -37,8 +38,11 @@ impl<'a, S: SolidShape> ConvexSolids<'a, S> {
         rules: impl Into<RayRules>,
     ) -> Result<ConvexRayHits<'a, S>, RangeError> {
         let (o, d) = checked(origin, motion)?;
-        let inside = rules.into().inside;
-        Ok(ConvexRayHits { all: *self, o, d, inside, after: None, started: false, looks: 0 })
+        Ok(self.hits(o, d, rules.into().inside))
+    }
+
+    const fn hits(&self, o: Raw, d: Raw, inside: Inside) -> ConvexRayHits<'a, S> {
+        ConvexRayHits { all: *self, o, d, inside, after: None, started: false, looks: 0 }
     }
 }
 
@@ -277,8 +281,8 @@ impl<S: SolidShape> RayWorld for ConvexSolids<'_, S> {
     where
         Self: 'w;
 
-    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
-        self.cast_ray_all(origin, motion, rules)
+    fn scan(&self, o: Raw, d: Raw, rules: RayRules) -> Self::Scan<'_> {
+        self.hits(o, d, rules.inside)
     }
 }
 

@@ -10,8 +10,9 @@ use super::solid::Solid;
 use crate::error::RangeError;
 use crate::num::{Raw, Vec2, imul};
 use crate::world::joined::hidden::{Beside, PartPath};
-use crate::world::ray::scan::{RayScan, RayWorld, ScanHit, hit_of, start_inside, straight};
-use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet, rays};
+use crate::world::ray::scan::{ScanHit, hit_of, start_inside, straight};
+use crate::world::ray::world::{RayScan, RayWorld, rays};
+use crate::world::ray::{Inside, Met, RayHit, RayPieces, RayRules, Time, checked, meet};
 
 impl RayPieces for Solids<'_> {
     const WIDE: bool = false;
@@ -33,7 +34,11 @@ impl<'a> Solids<'a> {
         rules: impl Into<RayRules>,
     ) -> Result<SolidRayHits<'a>, RangeError> {
         let (o, d) = checked(origin, motion)?;
-        Ok(SolidRayHits { all: *self, o, d, rules: rules.into(), after: None, started: false, cells: 0 })
+        Ok(self.hits(o, d, rules.into()))
+    }
+
+    const fn hits(&self, o: Raw, d: Raw, rules: RayRules) -> SolidRayHits<'a> {
+        SolidRayHits { all: *self, o, d, rules, after: None, started: false, cells: 0 }
     }
 }
 
@@ -185,8 +190,8 @@ impl RayWorld for Solids<'_> {
     where
         Self: 'w;
 
-    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
-        self.cast_ray_all(origin, motion, rules)
+    fn scan(&self, o: Raw, d: Raw, rules: RayRules) -> Self::Scan<'_> {
+        self.hits(o, d, rules)
     }
 
     /// Each box is a part: another one may cover a part of its face.

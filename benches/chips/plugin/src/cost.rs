@@ -22,8 +22,19 @@ use Cost::Plain;
 const BEGIN: u16 = 0x46c9;
 const END: u16 = 0x46d2;
 
+/// The cost of the instruction at the start of these bytes.
+///
+/// The emulator may report two bytes too many. Two bytes before the end of a page (1 KB), it reads
+/// the next two to see whether an instruction crosses that end. It counts them as part of the
+/// instruction before. So the first two bytes decide the length, not the number of bytes.
+pub fn of_bytes(bytes: &[u8]) -> Cost {
+    let first = u16::from_le_bytes([bytes[0], bytes[1]]);
+    // 11101, 11110 and 11111 start an instruction of four bytes.
+    if first >= 0xe800 { of_long(first) } else { of(first) }
+}
+
 /// The cost of an instruction of two bytes.
-pub fn of(code: u16) -> Cost {
+fn of(code: u16) -> Cost {
     let listed = |bits: u16| (code & bits).count_ones();
     match code {
         BEGIN => Cost::Begin,
@@ -52,13 +63,13 @@ pub fn of(code: u16) -> Cost {
 
 /// The cost of an instruction of four bytes, given its first half: BL, special registers and
 /// barriers. All take three.
-pub fn of_long(_: u16) -> Cost {
+fn of_long(_: u16) -> Cost {
     Plain(3)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Cost, of};
+    use super::{Cost, of, of_bytes};
 
     /// An assembler made the encodings. The costs are from the manual's table.
     #[test]
@@ -95,5 +106,15 @@ mod tests {
         }
         assert_eq!(of(0xd0fe), Cost::Branch { not_taken: 1, more_if_taken: 1 }, "beq .");
         assert_eq!((of(0x46c9), of(0x46d2)), (Cost::Begin, Cost::End));
+    }
+    /// Two bytes of the next instruction, behind one of two bytes and one of four.
+    #[test]
+    fn bytes_of_the_next_instruction_do_not_count() {
+        let subs_and_bne = [0x6d, 0x1e, 0xfd, 0xd1];
+        assert_eq!(of_bytes(&subs_and_bne), Cost::Plain(1));
+        let bl_and_push = [0xff, 0xf7, 0xfe, 0xff, 0xf0, 0xb5];
+        assert_eq!(of_bytes(&bl_and_push), Cost::Plain(3));
+        let (push, branch) = ([0xf0, 0xb5], [0xfe, 0xe7]);
+        assert_eq!((of_bytes(&push), of_bytes(&branch)), (Cost::Plain(6), Cost::Plain(2)));
     }
 }

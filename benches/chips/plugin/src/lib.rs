@@ -97,16 +97,14 @@ fn tell(text: &str) {
 }
 
 extern "C" fn translated(_: u64, block: *mut c_void) {
-    // SAFETY: the emulator's own objects, used only while it lends them. An instruction has two or
-    // four bytes.
+    // SAFETY: the emulator's own objects, used only while it lends them. An instruction has at
+    // least two bytes.
     unsafe {
         for i in 0..qemu_plugin_tb_n_insns(block) {
             let instruction = qemu_plugin_tb_get_insn(block, i);
             let bytes =
                 std::slice::from_raw_parts(qemu_plugin_insn_data(instruction), qemu_plugin_insn_size(instruction));
-            let first = u16::from_le_bytes([bytes[0], bytes[1]]);
-            let cost = if bytes.len() == 4 { cost::of_long(first) } else { cost::of(first) };
-            let known = Known { address: qemu_plugin_insn_vaddr(instruction) as u32, cost };
+            let known = Known { address: qemu_plugin_insn_vaddr(instruction) as u32, cost: cost::of_bytes(bytes) };
             // One program has too few of them to need freeing.
             let data = Box::into_raw(Box::new(known)).cast();
             qemu_plugin_register_vcpu_insn_exec_cb(instruction, runs, 0, data);

@@ -10,9 +10,10 @@ use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, fraction, umul};
 use crate::world::cell::Cell;
 use crate::world::level::face_against;
-use crate::world::ray::scan::{RayScan, RayWorld, Scan, ScanHit};
+use crate::world::ray::scan::{Scan, ScanHit};
 use crate::world::ray::walk::{X, Y};
-use crate::world::ray::{Inside, RayHit, RayRules, checked, in_domain, rays, refusal};
+use crate::world::ray::world::{RayScan, RayWorld, rays};
+use crate::world::ray::{Inside, RayHit, RayRules, checked, in_domain, refusal};
 use crate::world::tile_map::kind::TileKind;
 use blocks::{Detour, END, INSIDE};
 
@@ -250,7 +251,8 @@ impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
         motion: Vec2,
         rules: impl Into<RayRules>,
     ) -> Result<RayHits<'_, 'a, S, T>, RangeError> {
-        Ok(RayHits { scan: Scan::new(self, origin, motion, rules.into())? })
+        let (o, d) = checked(origin, motion)?;
+        Ok(self.scan(o, d, rules.into()))
     }
 }
 
@@ -260,8 +262,15 @@ impl<'a, S: ShapeSet, T: Store> RayWorld for TileMap<'a, S, T> {
     where
         Self: 'w;
 
-    fn scan(&self, origin: Vec2, motion: Vec2, rules: RayRules) -> Result<Self::Scan<'_>, RangeError> {
-        self.cast_ray_all(origin, motion, rules)
+    #[inline]
+    fn scan(&self, o: Raw, d: Raw, rules: RayRules) -> Self::Scan<'_> {
+        RayHits { scan: Scan::of(self, o, d, rules) }
+    }
+
+    /// The map's own way, which is fast through blocks.
+    #[inline]
+    fn cast_ray(&self, origin: Vec2, motion: Vec2, rules: impl Into<RayRules>) -> Result<Option<RayHit>, RangeError> {
+        TileMap::cast_ray(self, origin, motion, rules)
     }
 }
 
