@@ -211,6 +211,7 @@ mod overlap;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use cast::kernel::{Course, Enter, InDomain, Moment, RayTarget};
 pub use cast::{CastHit, CastShape, Inside, MovingHit};
 pub use closest::{ClosestPoint, Distance};
 pub use contact::{Contact, Contacts};

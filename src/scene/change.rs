@@ -108,7 +108,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         change(&mut body);
         check_motion(body.velocity, MOTION).map_err(|e| SceneError::of(handle, e))?;
         if body.shape != before.shape {
-            body.shape.check().map_err(|e| SceneError::of(handle, e))?;
+            body.shape.check_body().map_err(|e| SceneError::of(handle, e))?;
             self.near.move_to(handle, &body.shape.aabb()).map_err(|e| SceneError::of(handle, e))?;
         }
         if body.mass.is_some() != before.mass.is_some() {

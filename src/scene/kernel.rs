@@ -3,7 +3,8 @@
 use crate::error::RangeError;
 use crate::motion::Body;
 use crate::num::Vec2;
-use crate::query::{Contacts, MovingHit, Overlaps, Touches};
+use crate::query::{CastShape, Contacts, MovingHit, Overlaps, RayTarget, Touches};
+use crate::shape::kernel::Extent;
 use crate::shape::{Aabb, Circle};
 use core::fmt::Debug;
 
@@ -39,7 +40,17 @@ pub trait BodyShape: BodyShapeKernel {}
 
 /// The part of [`BodyShape`] that only this crate calls.
 pub trait BodyShapeKernel:
-    Copy + Debug + Eq + From<Aabb> + From<Circle> + Contacts<Self> + Overlaps<Self> + Touches<Self>
+    Copy
+    + Debug
+    + Eq
+    + From<Aabb>
+    + From<Circle>
+    + Contacts<Self>
+    + Overlaps<Self>
+    + Touches<Self>
+    + CastShape<Self>
+    + RayTarget
+    + Extent
 {
     /// A point, for slots without a body.
     const POINT: Self;
@@ -66,10 +77,10 @@ pub trait BodyShapeKernel:
     ///
     /// # Errors
     /// [`RangeError`] for a capsule that is slanted or has no radius.
-    fn check(&self) -> Result<(), RangeError>;
+    fn check_body(&self) -> Result<(), RangeError>;
 
     /// When two moving shapes run into each other. `None` if a motion is too large.
-    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit>;
+    fn run_into(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit>;
 
     /// Calls `visit` with the inner shape.
     fn visit<V: Visit<Self>>(&self, visit: V) -> V::Out;

@@ -38,7 +38,7 @@ impl Encounter {
         };
         let (p, q) = (a.at(from), b.at(from));
         let (left_a, left_b) = (a.way.left(from), b.way.left(from));
-        let hit = p.cast_moving(left_a, &q, left_b)?;
+        let hit = p.run_into(left_a, &q, left_b)?;
         if !hit.inside {
             // The cast's own displacements are shares of how far they approach, which may be zero.
             // So one body is placed by the time, and the other at the distance from the cast.

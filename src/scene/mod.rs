@@ -231,6 +231,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! **Hitscan, explosions, cursors**: [`cast_ray`](Scene::cast_ray) and
+//! [`cast_shape`](Scene::cast_shape) find the first body on a line.
+//! [`overlapping`](Scene::overlapping), [`touching`](Scene::touching) and
+//! [`at_point`](Scene::at_point) list the bodies at a position.
+//!
 //! **Ghosts, bullets, pick-ups**: a [`Reply`] for each pair, from your closure in
 //! [`step_with`](Scene::step_with), decides whether two bodies ignore or cross each other, slide,
 //! touch or bounce. A [`Filter`](crate::Filter) costs less if whole groups ignore each other. For
@@ -354,6 +359,7 @@ mod meeting_time;
 mod memory;
 mod pairs;
 mod piles;
+mod query;
 mod reply;
 mod resting;
 mod ride;
@@ -366,11 +372,13 @@ mod stored;
 mod through_level;
 mod two_ways;
 mod velocities;
+mod verbs;
 
 pub use body::SceneBody;
 pub use error::{SceneError, SceneFault};
 pub use event::{SceneEvent, Stepped};
 pub use kernel::BodyShape;
+pub use query::SceneHit;
 pub use reply::{Answer, Reply};
 pub use set::{Scene, Sleep, SortSweepScene};
 pub use shape::{Shape, WithCapsules};

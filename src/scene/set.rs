@@ -237,8 +237,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.sleep = SleepDifference::of(sleep);
     }
 
-    /// The broad phase: for rays, regions and nearest bodies, and for the tags of bodies (`still`
-    /// marks those that rest or are fixed).
+    /// The broad phase: for nearest bodies and those in a region, by their boxes, and for the tags
+    /// of bodies (`still` marks those that rest or are fixed). [`cast_ray`](Self::cast_ray) and
+    /// [`overlapping`](Self::overlapping) ask about the shapes of bodies.
     #[must_use]
     pub const fn near(&self) -> &B {
         &self.near
@@ -255,7 +256,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// [`Full`](BroadError::Full), the errors of the broad phase, or a velocity that no step can
     /// make. Nothing is changed then.
     pub fn insert(&mut self, body: &SceneBody<S>) -> Result<Handle, SceneError> {
-        body.shape.check().map_err(SceneError::call)?;
+        body.shape.check_body().map_err(SceneError::call)?;
         check_motion(body.velocity, MOTION).map_err(SceneError::call)?;
         let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;
         let Some(slot) = self.slots.get_mut(handle.slot()) else {

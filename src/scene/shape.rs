@@ -3,8 +3,8 @@
 use super::kernel::{BodyShape, BodyShapeKernel, Visit};
 use crate::error::RangeError;
 use crate::motion::Body;
-use crate::num::{Raw, Vec2};
-use crate::query::{CastShape, Contact, Contacts, Inside, MovingHit, Overlaps, Touches};
+use crate::num::{Raw, Toi, Vec2};
+use crate::query::{CastHit, CastShape, Contact, Contacts, Inside, MovingHit, Overlaps, RayTarget, Touches};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle};
 use crate::world::{World, probe};
 
@@ -96,6 +96,20 @@ impl probe::Probe for Shape {
             Self::Circle(it) => it.meets(a, b),
         }
     }
+
+    fn touches_core(&self, corners: &[Vec2], radius: i32) -> bool {
+        match self {
+            Self::Aabb(it) => it.touches_core(corners, radius),
+            Self::Circle(it) => it.touches_core(corners, radius),
+        }
+    }
+
+    fn less(&self, offset: Raw) -> Self {
+        match self {
+            Self::Aabb(it) => Self::Aabb(it.less(offset)),
+            Self::Circle(it) => Self::Circle(it.less(offset)),
+        }
+    }
 }
 
 impl BodyShape for Shape {}
@@ -185,6 +199,41 @@ macro_rules! shapes {
             }
         }
 
+        impl $name {
+            /// The first point of the shape that a ray from `origin` along `motion` meets, or
+            /// `None` if it ends before. By the rules of the shape inside, as
+            /// [`Circle::cast_ray`].
+            ///
+            /// ```
+            /// use tilesat::scene::Shape;
+            /// use tilesat::{Circle, Inside, Vec2, fx};
+            /// let ball = Shape::Circle(Circle::new(Vec2::from_ints(20, 0), fx!(4))?);
+            /// let hit = ball.cast_ray(Vec2::ZERO, Vec2::from_ints(32, 0), Inside::Hit)?.unwrap();
+            /// assert_eq!(hit.displacement.x.round(), 16);
+            /// # Ok::<(), tilesat::RangeError>(())
+            /// ```
+            ///
+            /// # Errors
+            /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
+            pub fn cast_ray(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
+                match self {
+                    $(Self::$shape(it) => it.cast_ray(origin, motion, inside),)+
+                }
+            }
+        }
+
+        impl RayTarget for $name {
+            fn ray_hit(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
+                self.cast_ray(origin, motion, inside)
+            }
+
+            fn ray_toi(&self, origin: Vec2, d: Raw) -> Option<Toi> {
+                match self {
+                    $(Self::$shape(it) => it.ray_toi(origin, d),)+
+                }
+            }
+        }
+
         impl BodyShapeKernel for $name {
             const POINT: Self = Self::Aabb(Aabb::from_raw_unchecked(Raw::ZERO, Raw::ZERO));
 
@@ -217,13 +266,13 @@ macro_rules! shapes {
             }
 
             #[inline]
-            fn check(&self) -> Result<(), RangeError> {
+            fn check_body(&self) -> Result<(), RangeError> {
                 match self {
                     $(Self::$shape(it) => CheckedShape::check(it),)+
                 }
             }
 
-            fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
+            fn run_into(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
                 let hit = match (self, other) {
                     $((Self::$a(a), Self::$b(b)) => a.cast_moving(by, b, other_by, Inside::Hit),)+
                 };
@@ -307,11 +356,11 @@ impl<const N: usize> BodyShapeKernel for AnyShape<N> {
         !matches!(self, Self::Aabb(_))
     }
 
-    fn check(&self) -> Result<(), RangeError> {
+    fn check_body(&self) -> Result<(), RangeError> {
         takes(self)
     }
 
-    fn cast_moving(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
+    fn run_into(&self, by: Vec2, other: &Self, other_by: Vec2) -> Option<MovingHit> {
         CastShape::cast_moving(self, by, other, other_by, Inside::Hit).ok().flatten()
     }
 

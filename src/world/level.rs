@@ -5,6 +5,7 @@ use super::cell::{Block, Cell, Cells, Way};
 use super::convex::ConvexBody;
 use super::lines::{BlockHit, Lines};
 pub(in crate::world) use super::methods::{levels, meets_as_world};
+use super::probes::Probe;
 use super::tangent::Tangent;
 use super::tile_map::kind::Fill;
 use crate::num::{Axis, Raw, Vec2, imul};
@@ -430,4 +431,8 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
 
     /// Whether a circle has a point in common with the solid, borders included; exact.
     fn touches_circle(&self, c: &Circle) -> bool;
+
+    /// The flags, or-ed, of everything that a box, circle or point touches, as
+    /// [`TileMap::flags_touched`](crate::TileMap::flags_touched): borders included, exact.
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8;
 }

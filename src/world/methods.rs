@@ -19,6 +19,13 @@ macro_rules! levels {
             $crate::query::Overlaps::overlaps(self, body)
         }
     };
+    (@flags_touched $(#[$doc:meta])*) => {
+        $(#[$doc])*
+        #[must_use]
+        pub fn flags_touched<P: $crate::world::Probe>(&self, shape: &P) -> u8 {
+            $crate::world::World::flags_touched(self, shape)
+        }
+    };
     (@touches $(#[$doc:meta])*) => {
         $(#[$doc])*
         #[inline]

@@ -7,7 +7,7 @@
 //! | does this shape overlap the solid? | [`overlaps`](TileMap::overlaps) | strict, exact |
 //! | does it touch the solid? | [`touches`](TileMap::touches) | closed, exact |
 //! | which tiles are here? | [`tiles_in`](TileMap::tiles_in) | strict; every tile of the map, solid or not |
-//! | which flags does this shape touch? | [`flags_touched`](TileMap::flags_touched) | closed; every tile of the map, solid or not |
+//! | which flags does this shape touch? | [`flags_touched`](TileMap::flags_touched) | closed; every tile of the map, solid or not; also of other levels and [pairs](Joined::flags_touched) |
 //! | which surface does this body run into? | [`cast_shape`](TileMap::cast_shape) | the start of an overlap; exact |
 //! | what does this ray hit? | [`cast_ray`](TileMap::cast_ray), [`cast_ray_all`](TileMap::cast_ray_all) | solids are closed; one-way edges by an option |
 //! | does this point see that one? | [`line_of_sight`](TileMap::line_of_sight) | solids are closed |
@@ -57,6 +57,7 @@ mod lines;
 mod measure;
 mod methods;
 mod placed;
+mod probes;
 mod ray;
 mod rooms;
 mod segment_map;
@@ -81,6 +82,8 @@ pub(crate) use level::{ANY_BODY, MotionPiece, Seen, corners_of, ends, normal, se
 pub use level::{Feature, Geometry, World};
 pub(crate) use lines::BlockHit;
 pub use placed::{Placed, PlacedFeatures, PlacedRayHits};
+pub use probes::Probe;
+pub(crate) use probes::probe;
 pub use ray::world::RayWorld;
 pub use ray::{Inside, RayHit, RayRules};
 pub use rooms::{Room, Rooms};
@@ -97,8 +100,7 @@ pub use tile_map::features::Features;
 pub(crate) use tile_map::kind::Fill;
 pub use tile_map::kind::{TileKind, TileKinds, TileShape};
 pub use tile_map::ray::RayHits;
-pub(crate) use tile_map::region::probe;
-pub use tile_map::region::{Probe, TileAt, Tiles};
+pub use tile_map::region::{TileAt, Tiles};
 pub use tile_map::{AllShapes, Bits, Blocks, Bytes, Occupied, Outside, ShapeSet, Slopes, Store, TileMap};
 pub(crate) use trail::Traced;
 pub use trail::Trail;

@@ -1,6 +1,7 @@
 //! A level at another position: its surface, and rays against it.
 
 use super::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
+use super::probes::Probe;
 use super::ray::scan::ScanHit;
 use super::ray::world::{RayScan, RayWorld, rays};
 use super::ray::{RayHit, RayRules, checked};
@@ -104,6 +105,18 @@ levels! {
         overlaps,
         /// Whether a shape has a point in common with the solid, borders included; exact.
         touches,
+        /// The flags, or-ed, of all that a box, circle or point touches: those of the level, for
+        /// the shape less the offset. Exact. Cost: that of the level.
+        ///
+        /// ```
+        /// use tilesat::{TileKind, TileKinds, TileMap, Vec2, world::Placed};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'~', TileKind::EMPTY.with_flags(8));
+        /// let pool = TileMap::from_ascii("~", &KINDS)?;
+        /// let moved = Placed::new(&pool, Vec2::from_ints(100, 0))?;
+        /// assert_eq!((moved.flags_touched(&Vec2::from_ints(116, 4)), moved.flags_touched(&Vec2::ZERO)), (8, 0));
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        flags_touched,
     }
 }
 
@@ -192,6 +205,10 @@ impl<W: World> World for Placed<'_, W> {
 
     fn touches_circle(&self, c: &Circle) -> bool {
         self.world.touches_circle(&self.seen_circle(c))
+    }
+
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
+        self.world.flags_touched(&shape.less(self.offset))
     }
 }
 

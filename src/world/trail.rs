@@ -4,6 +4,7 @@ use super::cell::{Block, Cells, Way};
 use super::convex::ConvexBody;
 use super::level::{Feature, MotionPiece, Seen, World, meets_as_world, sealed};
 use super::lines::{BlockHit, Lines};
+use super::probes::Probe;
 use super::tangent::Tangent;
 use super::tile_map::kind::Fill;
 use crate::num::{Raw, Vec2};
@@ -224,5 +225,9 @@ impl<W: World> World for Traced<'_, W> {
 
     fn touches_circle(&self, c: &Circle) -> bool {
         self.world.touches_circle(c)
+    }
+
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
+        self.world.flags_touched(shape)
     }
 }

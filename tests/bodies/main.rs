@@ -24,6 +24,7 @@ mod scene_lifts;
 mod scene_masses;
 mod scene_memory;
 mod scene_pushes;
+mod scene_queries;
 mod scene_reach;
 mod scene_replies;
 mod scene_rest;

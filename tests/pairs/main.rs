@@ -25,5 +25,6 @@ mod parts;
 mod pictures;
 mod push_out;
 mod random;
+mod set_shapes;
 mod symmetry;
 mod vectors;

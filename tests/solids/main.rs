@@ -12,6 +12,7 @@ mod character_lifts;
 mod character_looks;
 mod character_pipes;
 mod convex;
+mod flags;
 mod games;
 mod joints;
 mod placed;

@@ -66,7 +66,7 @@ impl<M> Course<M> {
     }
 
     #[inline]
-    pub(in crate::query) fn map<N>(self, f: impl FnOnce(M) -> N) -> Course<N> {
+    pub(crate) fn map<N>(self, f: impl FnOnce(M) -> N) -> Course<N> {
         match self {
             Self::Free => Course::Free,
             Self::Inside => Course::Inside,
@@ -114,6 +114,18 @@ pub trait Enter<B: ?Sized>: InDomain {
     fn hits(&self, b: &B, d: Raw) -> Course<()> {
         self.enter(b, d).map(|_| ())
     }
+}
+
+/// A shape that a ray may hit, in the list of bodies of a scene.
+pub trait RayTarget {
+    /// Its `cast_ray`.
+    ///
+    /// # Errors
+    /// [`RangeError`] if an end of the ray is outside the domain.
+    fn ray_hit(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError>;
+
+    /// The exact floor of the time of its hit from outside; `None` if the hit has it already.
+    fn ray_toi(&self, origin: Vec2, d: Raw) -> Option<Toi>;
 }
 
 impl InDomain for Vec2 {

@@ -1,7 +1,7 @@
 //! When a moving shape first hits another one.
 
 mod boxes;
-pub(super) mod kernel;
+pub(crate) mod kernel;
 pub(crate) mod moment;
 pub(super) mod ray;
 pub(super) mod segments;

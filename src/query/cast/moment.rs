@@ -103,14 +103,14 @@ const fn shift_left(a: (u64, u64), by: u32) -> (u64, u64) {
     }
 }
 
-/// The last moment, in parts of 2^30, at which something has not happened yet: not at `from`, at
-/// the motion's end it has, and it stays so. Doubled steps, then halved ones: twice the bits of
-/// what `from` is short by, at most 60 questions.
+/// The last moment, in parts of 2^30, at which something has not happened yet: not at `from`, and
+/// once it has, it stays so. Only a ray may end before it happens, exactly at the border. Doubled
+/// steps, then halved ones: twice the bits of what `from` is short by, at most 60 questions.
 pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
     let (mut last, mut step) = (from.raw(), 1u32);
     let mut before = |step: u32| {
         let next = last.wrapping_add(step);
-        let free = next < Toi::ONE.raw() && !happened(next);
+        let free = next <= Toi::ONE.raw() && !happened(next);
         if free {
             last = next;
         }

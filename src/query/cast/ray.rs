@@ -2,7 +2,7 @@
 
 use super::boxes::SideMoment;
 use super::kernel::{CastHit, Inside};
-use super::kernel::{InDomain, Moment};
+use super::kernel::{InDomain, Moment, RayTarget};
 use super::moment::{Crossing, direction};
 use super::segments::EdgeMoment;
 use crate::error::{Quantity, RangeError};
@@ -113,6 +113,27 @@ impl Segment {
     pub fn cast_ray(&self, origin: Vec2, motion: Vec2) -> Result<Option<CastHit>, RangeError> {
         let (o, d) = checked(origin, motion)?;
         Ok(meet_segment(o, d, self.ra(), self.rb()))
+    }
+}
+
+impl RayTarget for Aabb {
+    fn ray_hit(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
+        self.cast_ray(origin, motion, inside)
+    }
+
+    fn ray_toi(&self, _: Vec2, _: Raw) -> Option<Toi> {
+        None
+    }
+}
+
+impl RayTarget for Circle {
+    fn ray_hit(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
+        self.cast_ray(origin, motion, inside)
+    }
+
+    fn ray_toi(&self, origin: Vec2, d: Raw) -> Option<Toi> {
+        let m = Raw::of(origin).sub(self.c());
+        if self.r() == 0 { None } else { Crossing::touching(m, self.r(), d).map(|crossing| crossing.exact_toi(m, d)) }
     }
 }
 

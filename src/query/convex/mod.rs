@@ -42,13 +42,13 @@ mod two_segments;
 mod walk;
 
 use super::cast::CastShape;
-use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside};
+use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside, RayTarget};
 use super::closest::{ClosestPoint, Distance, from_border};
 use super::contact::{Contact, Contacts};
 use super::meet::aabb_aabb;
 use super::overlap::{Contains, Overlaps, Touches};
 use crate::error::RangeError;
-use crate::num::{Fx, LONG, Raw, Vec2};
+use crate::num::{Fx, LONG, Raw, Toi, Vec2};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Convex, ConvexPolygon, OrientedBox, Segment};
 use apart::Quads;
 use box_pair::BoxPair;
@@ -352,6 +352,16 @@ macro_rules! points {
         }
 
         impl<$($n)*> InDomain for $a {}
+
+        impl<$($n)*> RayTarget for $a {
+            fn ray_hit(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
+                self.cast_ray(origin, motion, inside)
+            }
+
+            fn ray_toi(&self, origin: Vec2, d: Raw) -> Option<Toi> {
+                ray::exact_toi(Core { corners: &self.outline(), radius: self.rounding() }, origin, d)
+            }
+        }
 
         impl<$($n)*> Distance<Vec2> for $a {
             #[inline]

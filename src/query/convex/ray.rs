@@ -8,7 +8,7 @@ use super::short_place::place_of;
 use super::walk::{Core, PolygonSide, SideWalk};
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, less128, mul64, sqr64};
-use crate::query::cast::kernel::{CastHit, Inside};
+use crate::query::cast::kernel::{CastHit, Inside, Moment};
 use crate::query::cast::moment::{Disc, is_below, meets_beyond, reach, touch_disc};
 use crate::query::cast::ray::{at_start, checked, meet_point, meet_segment, reached};
 use crate::query::cast::segments::{EdgeMoment, Slope};
@@ -37,6 +37,12 @@ pub(super) fn cast_ray(
         Err(Within) => at_start(motion, inside),
         Ok(gate) => gate.map(|gate| reached(&gate, d)),
     })
+}
+
+/// The exact floor of the time of a hit from outside, if the hit has only a bound.
+pub(super) fn exact_toi(shape: Core<'_>, o: Vec2, d: Raw) -> Option<Toi> {
+    let gate = || rounded(Core { corners: &[o], radius: 0 }, shape, d);
+    if shape.radius == 0 { None } else { gate().map(|gate| gate.exact_toi(d)) }
 }
 
 /// The ray starts strictly inside.

@@ -5,6 +5,7 @@ pub(in crate::world) mod ray;
 mod start;
 
 use super::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
+use super::probes::Probe;
 use crate::shape::{Aabb, Circle};
 use crate::world::convex::ConvexBody;
 use hidden::shown;
@@ -96,6 +97,21 @@ levels! {
         ///
         /// Cost: both levels' cost. It cannot fail.
         touches,
+        /// The flags, or-ed, of all that a box, circle or point touches in either level, hidden
+        /// parts included. Exact. Cost: both levels' cost.
+        ///
+        /// ```
+        /// use tilesat::{Aabb, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'^', TileKind::FULL.with_flags(1));
+        /// let level = TileMap::from_ascii("   \n ^ ", &KINDS)?;
+        /// let saw = [Solid::new(Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(8, 16))?, 1)?.with_flags(2)];
+        /// let saw = Solids::new(&saw);
+        /// let level = Joined::new(&level, &saw);
+        /// let hero = Aabb::new(Vec2::from_ints(8, 8), Vec2::from_ints(20, 16))?; // it touches both
+        /// assert_eq!(level.flags_touched(&hero), 1 | 2);
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        flags_touched,
     }
 }
 
@@ -188,6 +204,10 @@ impl<A: World, B: World> World for Joined<'_, A, B> {
 
     fn touches_circle(&self, c: &Circle) -> bool {
         self.a.touches_circle(c) || self.b.touches_circle(c)
+    }
+
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
+        self.a.flags_touched(shape) | self.b.flags_touched(shape)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::query::{Overlaps, Touches, meet};
 use crate::shape::{Aabb, Circle};
 use crate::world::cell::Range;
 use crate::world::level::levels;
-use crate::world::tile_map::region::Probe;
+use crate::world::probes::Probe;
 
 levels! {
     [] SegmentMap<'_> {

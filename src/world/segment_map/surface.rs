@@ -8,6 +8,7 @@ use crate::shape::{Aabb, Circle};
 use crate::world::cell::{Cell, Range};
 use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, Geometry, World, sealed};
+use crate::world::probes::Probe;
 
 impl SegmentMap<'_> {
     /// The faces of the segments that may have a point in the closed region. Each is followed by
@@ -192,6 +193,10 @@ impl World for SegmentMap<'_> {
 
     fn touches_circle(&self, c: &Circle) -> bool {
         SegmentMap::touches(self, c)
+    }
+
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
+        SegmentMap::flags_touched(self, shape)
     }
 }
 

@@ -10,6 +10,7 @@ use crate::query::{Core, meet, meets};
 use crate::shape::{Aabb, Circle, Convex};
 use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
+use crate::world::probes::Probe;
 
 /// Moving convex solids as a level, at their present positions. It borrows the list and needs no
 /// memory.
@@ -83,6 +84,18 @@ levels! {
         /// Whether a shape has a point in common with one of the solids, borders included;
         /// exact.
         touches,
+        /// The flags, or-ed, of all solids that a box, circle or point touches. Borders count.
+        /// Exact. Cost: as [`touches`](Self::touches), but it always looks at every solid.
+        ///
+        /// ```
+        /// use tilesat::world::{ConvexSolid, ConvexSolids};
+        /// use tilesat::{Circle, Vec2, fx};
+        /// let bumper = [ConvexSolid::new(Circle::new(Vec2::ZERO, fx!(5))?, 1)?.with_flags(4)];
+        /// let flags = |x, y| ConvexSolids::new(&bumper).flags_touched(&Vec2::from_ints(x, y));
+        /// assert_eq!((flags(3, 4), flags(4, 4)), (4, 0));
+        /// # Ok::<(), tilesat::RangeError>(())
+        /// ```
+        flags_touched,
     }
 }
 
@@ -174,6 +187,15 @@ impl<S: SolidShape> World for ConvexSolids<'_, S> {
 
     fn touches_circle(&self, c: &Circle) -> bool {
         self.meets::<true>(c, &c.aabb())
+    }
+
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
+        let (lo, hi) = shape.bounds();
+        let touches = |solid: &&ConvexSolid<S>| {
+            let (whole, it) = (solid.shape.extent(), &solid.shape);
+            meet::aabb_aabb::<true>(whole.lo(), whole.hi(), lo, hi) && shape.touches_core(&it.outline(), it.rounding())
+        };
+        self.list.iter().filter(touches).fold(0, |flags, solid| flags | solid.flags())
     }
 }
 

@@ -31,7 +31,8 @@ use crate::num::{Raw, Vec2};
 use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 use crate::world::convex::ConvexBody;
-use crate::world::tile_map::region::{Probe, bounds_of_trail, bounds_of_way};
+use crate::world::probes::Probe;
+use crate::world::tile_map::region::{bounds_of_trail, bounds_of_way};
 use crate::world::trail::Trail;
 use features::SolidFeatures;
 use solid::Solid;
@@ -191,6 +192,17 @@ levels! {
         /// Whether a shape has a point in common with one of the solids, borders included; exact.
         /// One-way solids do not count.
         touches,
+        /// The flags, or-ed, of all solids that a box, circle or point touches, one-way ones
+        /// included. Borders count. Exact. Cost: a look at each solid.
+        ///
+        /// ```
+        /// use tilesat::{Aabb, Solid, Solids, Vec2};
+        /// let saw = [Solid::new(Aabb::new(Vec2::ZERO, Vec2::from_ints(8, 8))?, 1)?.with_flags(2)];
+        /// let flags = |x| Solids::new(&saw).flags_touched(&Vec2::from_ints(x, 4));
+        /// assert_eq!((flags(8), flags(9)), (2, 0));
+        /// # Ok::<(), tilesat::RangeError>(())
+        /// ```
+        flags_touched,
     }
 }
 
@@ -255,6 +267,12 @@ impl World for Solids<'_> {
 
     fn touches_circle(&self, c: &Circle) -> bool {
         self.any(|s| meet::circle_aabb::<true>(c.c(), c.r(), s.lo(), s.hi()))
+    }
+
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
+        let (lo, hi) = shape.bounds();
+        let touches = |s: &&Solid| meet::aabb_aabb::<true>(s.lo(), s.hi(), lo, hi) && shape.reaches((s.lo(), s.hi()));
+        self.list.iter().filter(touches).fold(0, |flags, solid| flags | solid.flags())
     }
 }
 

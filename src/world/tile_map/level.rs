@@ -11,6 +11,7 @@ use crate::world::cell::{Block, Cells, Range};
 use crate::world::convex::ConvexBody;
 use crate::world::level::{ANY_BODY, Feature, MotionPiece, Seen, World, sealed};
 use crate::world::lines::{BlockHit, Lines};
+use crate::world::probes::Probe;
 use crate::world::tangent::Tangent;
 use crate::world::tile_map::features::Features;
 use crate::world::tile_map::kind::Fill;
@@ -157,6 +158,10 @@ impl<S: ShapeSet, T: Store> World for TileMap<'_, S, T> {
     #[inline]
     fn touches_circle(&self, c: &Circle) -> bool {
         TileMap::touches(self, c)
+    }
+
+    fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
+        TileMap::flags_touched(self, shape)
     }
 }
 

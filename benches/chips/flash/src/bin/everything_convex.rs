@@ -103,6 +103,8 @@ fn solid_part() {
         |shape: Quad, key: u16| shape.convex_solid(key);
         |list: &mut [ConvexSolid<Quad>]| ConvexSolid::move_all(list);
         |l: &ConvexSolids<'static, Any>, b: &Quad| (l.overlaps(b), l.touches(b));
+        |l: &ConvexSolids<'static, Any>, b: &Aabb, c: &Circle| (l.flags_touched(b), l.flags_touched(c));
+        |l: &Lifts, p: &Vec2| l.flags_touched(p);
         |l: &ConvexSolids<'static, Any>, b: &Circle, d: Vec2| Mover::new().move_and_slide(l, b, d);
         |l: &ConvexSolids<'static, Any>, b: &Group, way: OneWay, out: &mut VecView<WorldContact>| l.contacts(b, way, out);
         |l: &ConvexSolids<'static, Any>, o: Vec2, d: Vec2, rules: RayRules| l.cast_ray(o, d, rules);

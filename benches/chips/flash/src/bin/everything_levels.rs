@@ -20,6 +20,9 @@ macro_rules! levels {
             |l: &$level, b: &Aabb| l.touches(b);
             |l: &$level, c: &Circle| l.overlaps(c);
             |l: &$level, c: &Circle| l.touches(c);
+            |l: &$level, b: &Aabb| l.flags_touched(b);
+            |l: &$level, c: &Circle| l.flags_touched(c);
+            |l: &$level, p: &Vec2| l.flags_touched(p);
             |l: &$level, b: &Aabb| World::features(l, b).map(|f| core::hint::black_box(f)).count();
             |l: &$level, b: &Aabb| l.features(b).map(|f| core::hint::black_box(f)).count();
             |l: &$level, o: Vec2, d: Vec2, rules: RayRules| l.cast_ray(o, d, rules);
@@ -71,9 +74,6 @@ macro_rules! tile_maps {
             |l: $level, words: &'static [u32]| l.with_occupancy(words);
             |l: &$level, b: &Aabb| l.tiles_in(b).map(|tile| core::hint::black_box(tile)).count();
             |l: &$level, b: &Aabb, out: &mut VecView<TileAt>| l.collect_tiles(b, out);
-            |l: &$level, b: &Aabb| l.flags_touched(b);
-            |l: &$level, c: &Circle| l.flags_touched(c);
-            |l: &$level, p: &Vec2| l.flags_touched(p);
             |l: &$level, b: &Aabb, d: Vec2| l.flags_swept(b, d);
             |l: &$level, c: &Circle, d: Vec2| l.flags_swept(c, d);
             |l: &$level, p: &Vec2, d: Vec2| l.flags_swept(p, d);
@@ -127,9 +127,6 @@ fn segments() {
         |data: &'static [u8]| SegmentMap::from_bytes(data);
         |size: &Size| (size.grid(), size.segments(), size.refs(), size.bytes());
         |l: &SegmentMap<'_>| (l.grid(), l.cell(), l.origin(), l.width(), l.height(), l.count());
-        |l: &SegmentMap<'_>, b: &Aabb| l.flags_touched(b);
-        |l: &SegmentMap<'_>, c: &Circle| l.flags_touched(c);
-        |l: &SegmentMap<'_>, p: &Vec2| l.flags_touched(p);
     }
     levels!(SegmentMap<'_>);
     surfaces!(SegmentMap<'_>);

@@ -7,7 +7,7 @@ use tilesat::scene::SceneFault;
 use tilesat::scene::{Reply, SceneEvent, SceneTag, Shape, Sleep, Snapshot, WithCapsules};
 use tilesat::shape::AnyShape;
 use tilesat::world::{AllShapes, ConvexSolid, ConvexSolids, Joined, SegmentMap, Solids, TileMap, Trail};
-use tilesat::{Aabb, Capsule, Circle, Fx, OrientedBox, Scene, SceneBody, Solid, Vec2};
+use tilesat::{Aabb, Capsule, Circle, Fx, Inside, OrientedBox, Scene, SceneBody, Solid, Vec2};
 use tilesat_flash::keep;
 
 type Near = SortSweep<16, SceneTag>;
@@ -38,6 +38,15 @@ macro_rules! scenes {
             |s: &mut Scene<$near, $n>, h: Handle, shape: Shape| s.place(h, shape);
             |s: &mut Scene<$near, $n>, h: Handle| s.wake(h);
             |s: &mut Scene<$near, $n>, region: &Aabb| s.wake_region(region);
+            |s: &Scene<$near, $n>, o: Vec2, d: Vec2, inside: Inside, wanted: fn(Handle, &SceneBody) -> bool| {
+                s.cast_ray(o, d, inside, wanted)
+            };
+            |s: &Scene<$near, $n>, a: &Shape, d: Vec2, inside: Inside, wanted: fn(Handle, &SceneBody) -> bool| {
+                s.cast_shape(a, d, inside, wanted)
+            };
+            |s: &Scene<$near, $n>, a: &Shape, each: fn(Handle, &SceneBody)| s.overlapping(a, each);
+            |s: &Scene<$near, $n>, a: &Circle, each: fn(Handle, &SceneBody)| s.touching(a, each);
+            |s: &Scene<$near, $n>, p: Vec2, each: fn(Handle, &SceneBody)| s.at_point(p, each);
             |s: &Scene<$near, $n>| s.snapshot();
             |s: &Scene<$near, $n>, into: &mut Snapshot<$near, $n>| s.snapshot_into(into);
             |s: &mut Scene<$near, $n>, from: &Snapshot<$near, $n>| s.restore(from);
@@ -67,6 +76,12 @@ fn shapes() {
         |a: &Shape, b: &Shape| a.contact(b);
         |a: &Shape, b: &Shape| a.overlaps(b);
         |a: &Shape, b: &Shape| a.touches(b);
+        |a: &Shape, o: Vec2, d: Vec2, inside: Inside| a.cast_ray(o, d, inside);
+        |a: &Shape, b: &Shape, d: Vec2, inside: Inside| (a.cast_shape(b, d, inside), a.exact_toi(b, d, inside));
+        |a: &Shape, b: &Capsule, d: Vec2, inside: Inside| (a.cast_shape(b, d, inside), b.would_hit(a, d, inside));
+        |a: &Shape, b: &Circle| (b.overlaps(a), b.touches(a), b.contact(a), b.manifold(a));
+        |a: &Shape, b: &Aabb| (a.distance(b), a.closest_points(b), a.contains(b), b.contains(a));
+        |a: &Shape, p: &Vec2| (a.distance(p), a.contains(p));
         |_any: u8| Sleep::default();
     }
 }
@@ -90,6 +105,14 @@ fn sets() {
         |shape: Capsule| WithCapsules::from(shape);
         |s: &WithCapsules| (s.aabb(), s.position());
         |a: &WithCapsules, b: &WithCapsules| (a.contact(b), a.overlaps(b), a.touches(b));
+        |a: &WithCapsules, o: Vec2, d: Vec2, inside: Inside| a.cast_ray(o, d, inside);
+        |a: &WithCapsules, b: &WithCapsules, d: Vec2, inside: Inside| (a.cast_shape(b, d, inside), a.distance(b));
+        |s: &Pills, o: Vec2, d: Vec2, inside: Inside| s.cast_ray(o, d, inside, |_, _| true);
+        |s: &Pills, a: &Capsule, d: Vec2, inside: Inside| s.cast_shape(a, d, inside, |_, _| true);
+        |s: &Pills, a: &OrientedBox, each: fn(Handle, &SceneBody<WithCapsules>)| s.overlapping(a, each);
+        |s: &Any, o: Vec2, d: Vec2, inside: Inside| s.cast_ray(o, d, inside, |_, _| true);
+        |s: &Any, a: &AnyShape<6>, d: Vec2, inside: Inside| s.cast_shape(a, d, inside, |_, _| true);
+        |s: &Any, a: &AnyShape<6>, each: fn(Handle, &SceneBody<AnyShape<6>>)| s.touching(a, each);
         |s: &mut Pills, body: &SceneBody<WithCapsules>| s.insert(body);
         |s: &mut Pills, h: Handle, shape: WithCapsules| s.place(h, shape);
         |s: &mut Pills, h: Handle| s.remove(h);
