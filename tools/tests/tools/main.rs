@@ -27,6 +27,7 @@ mod old_files;
 mod outputs;
 mod play;
 mod played;
+mod private;
 mod rooms;
 mod shapes;
 mod stamps;
@@ -34,3 +35,6 @@ mod support;
 mod unused;
 mod weld;
 mod worlds;
+
+// A private module names it.
+use tilesat_tools::geometry;
