@@ -3,6 +3,7 @@
 use core::num::NonZeroU8;
 use tilesat::scene::{SceneBody, SortSweepScene};
 use tilesat::{Aabb, AllShapes, Circle, Filter, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
+use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'#', TileKind::FULL)
@@ -28,7 +29,7 @@ fn fast_bodies_enter_quarter_pipes() {
     let level = map("#...#\n#...#\n#...#\n#..)#\n#####");
     for restitution in [Ratio::ZERO, Ratio::HALF, Ratio::ONE] {
         for height in 6..40 {
-            let mut scene = SortSweepScene::<4>::empty();
+            let mut scene = SortSweepScene::<BODIES>::empty();
             let surface = Surface::new(restitution, Ratio::ZERO);
             let body = SceneBody { fast: true, surface, ..SceneBody::new(ball(59, height, 5), 1) };
             let handle = scene.insert(&body).unwrap();
@@ -50,7 +51,7 @@ fn fast_bodies_enter_quarter_pipes() {
 fn fast_bodies_pass_tight_corridors() {
     let level = map("##########\n..........\n##########");
     for restitution in [Ratio::ZERO, Ratio::HALF, Ratio::ONE] {
-        let mut scene = SortSweepScene::<4>::empty();
+        let mut scene = SortSweepScene::<BODIES>::empty();
         let surface = Surface::new(restitution, Ratio::ZERO);
         let velocity = Vec2::from_ints(1, 2);
         let body = SceneBody { fast: true, surface, velocity, ..SceneBody::new(ball(24, 24, 8), 1) };
@@ -65,7 +66,7 @@ fn fast_bodies_pass_tight_corridors() {
 }
 
 /// Twice the energy of two bodies, in raw units.
-fn energy(scene: &SortSweepScene<4>) -> i128 {
+fn energy(scene: &SortSweepScene<BODIES>) -> i128 {
     let of = |body: &SceneBody| {
         let (x, y) = body.velocity.raw();
         i128::from(body.mass.map_or(0, NonZeroU8::get)) * (i128::from(x).pow(2) + i128::from(y).pow(2))
@@ -83,7 +84,7 @@ fn a_body_that_is_pressed_along_a_wall_gains_no_energy() {
             for (restitution, friction) in
                 [(Ratio::ZERO, Ratio::ZERO), (Ratio::HALF, Ratio::HALF), (Ratio::ONE, Ratio::ZERO)]
             {
-                let mut scene = SortSweepScene::<4>::empty();
+                let mut scene = SortSweepScene::<BODIES>::empty();
                 let surface = Surface::new(restitution, friction);
                 let velocity = Vec2::new(fx!(0.625), fx!(3.25));
                 let place = Circle::new(Vec2::new(fx!(20) + Fx::from(aside) / 4, fx!(51.5)), fx!(4)).unwrap();
@@ -110,7 +111,7 @@ fn late_slides_keep_their_velocity() {
     let level = map("..........\n..........\n......../#\n##########");
     // From 64 units before the slope, and this many raw units nearer.
     for left in (1..200).chain((200..70_000).step_by(997)) {
-        let mut scene = SortSweepScene::<4>::empty();
+        let mut scene = SortSweepScene::<BODIES>::empty();
         let (right, feet) = ((64 << 16) + left, (48 << 16) - (1 << 15));
         let (lo, hi) = (Vec2::from_raw(right - (4 << 16), feet - (4 << 16)), Vec2::from_raw(right, feet));
         let velocity = Vec2::from_ints(64, 1);

@@ -8,9 +8,10 @@ use tilesat::scene::{SceneBody, SceneTag, Sleep};
 use tilesat::shape::AnyShape;
 use tilesat::{Aabb, Axis, Capsule, Circle, Fx, OrientedBox, Ratio, Scene, TileKinds, TileMap, Vec2, fx};
 use tilesat_judge::Random;
+use tilesat_judge::scenes::BODIES;
+use tilesat_judge::solids::shapes::Any;
 
-type Any = AnyShape<3>;
-type Mixed = Scene<SortSweep<12, SceneTag>, 12, 0, Any>;
+type Mixed = Scene<SortSweep<BODIES, SceneTag>, BODIES, 0, Any>;
 
 fn aabb(x: i16, y: i16, width: i16, height: i16) -> Aabb {
     Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + width, y + height)).unwrap()
@@ -84,7 +85,8 @@ fn a_thrown_crate_falls_when_its_platform_changes() {
     for (up, change) in [2000, 10_000, 28_000, 40_000].into_iter().flat_map(|up| (0..4).map(move |change| (up, change)))
     {
         let fallen = |remembers: bool| {
-            let mut scene = Scene::<SortSweep<8, SceneTag>, 8, 8>::remembering(SortSweep::new(), Sleep::NEVER);
+            let mut scene =
+                Scene::<SortSweep<BODIES, SceneTag>, BODIES, BODIES>::remembering(SortSweep::new(), Sleep::NEVER);
             let velocity = Vec2::from_raw(0, -up);
             let platform = SceneBody { velocity, ..SceneBody::fixed(aabb(20, 40, 20, 8), 1) };
             let platform = scene.insert(&platform).unwrap();
@@ -115,7 +117,7 @@ fn a_thrown_crate_falls_when_its_platform_changes() {
 fn a_pile_that_is_woken_from_both_ends_is_one() {
     fn awake<B: BroadPhase<Tag = SceneTag>>(near: B, order: [usize; 5]) -> Vec<(i32, bool)> {
         let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY).unwrap();
-        let mut scene = Scene::<B, 8>::with_sleep(near, Sleep { steps: 5, ..Sleep::default() });
+        let mut scene = Scene::<B, BODIES>::with_sleep(near, Sleep { steps: 5, ..Sleep::default() });
         let body = |x: i32, key: u32, v: i32| {
             let shape = Aabb::from_size(Vec2::from_raw(x, 0), Vec2::new(fx!(8), fx!(8))).unwrap();
             SceneBody { velocity: Vec2::from_raw(v, 0), ..SceneBody::new(shape, key) }
@@ -150,7 +152,7 @@ fn a_pile_that_is_woken_from_both_ends_is_one() {
     let wanted: Vec<_> =
         (0..6).flat_map(|step| [true, step > 3, step > 3, step > 3, true].map(|awake| (step, awake))).collect();
     for order in [[0, 1, 2, 3, 4], [4, 1, 2, 3, 0], [0, 3, 2, 1, 4], [4, 2, 3, 1, 0]] {
-        assert_eq!(awake(SortSweep::<8, SceneTag>::new(), order), wanted, "{order:?}");
-        assert_eq!(awake(BruteForce::<8, SceneTag>::new(), order), wanted, "{order:?}");
+        assert_eq!(awake(SortSweep::<BODIES, SceneTag>::new(), order), wanted, "{order:?}");
+        assert_eq!(awake(BruteForce::<BODIES, SceneTag>::new(), order), wanted, "{order:?}");
     }
 }

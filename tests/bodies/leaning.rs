@@ -6,11 +6,12 @@ use tilesat::broad::SortSweep;
 use tilesat::motion::Surface;
 use tilesat::scene::{SceneBody, SceneTag};
 use tilesat::{Aabb, Circle, Fx, Joined, Ratio, Scene, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 const GRAVITY: Vec2 = Vec2::from_raw(0, 1 << 14);
 
-type Small = Scene<SortSweep<8, SceneTag>, 8>;
+type Small = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 fn aabb(x: i16, y: i16, width: i16, height: i16) -> Aabb {
     Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + width, y + height)).unwrap()

@@ -3,6 +3,7 @@
 use tilesat::broad::SortSweep;
 use tilesat::scene::{SceneBody, SceneTag, Shape};
 use tilesat::{Aabb, Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
@@ -11,7 +12,7 @@ static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 fn slides(round: bool, pressers: i32, rising: bool, side: i32, gravity: Vec2, v: Vec2) -> Fx {
     let text = "#...........#\n".repeat(8);
     let level = TileMap::from_ascii(&text, &KINDS).unwrap();
-    let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES>::new(SortSweep::new());
     let key = |at: i32| if rising { at } else { 9 - at } as u32;
     let mut bodies = Vec::new();
     for at in 0..=pressers {

@@ -5,8 +5,9 @@ use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{SceneBody, SceneTag, Shape};
 use tilesat::{Aabb, Circle, Fx, Outside, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2};
 use tilesat_judge::Random;
+use tilesat_judge::scenes::BODIES;
 
-type Few = Scene<SortSweep<8, SceneTag>, 8>;
+type Few = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 const UNIT: i64 = 1 << 16;

@@ -281,7 +281,7 @@ fn what_rests_in_a_v_rests_whoever_is_fast() {
         .with(b'l', TileKind::of(TileShape::SlopeBottomLeft))
         .with(b'm', TileKind::of(TileShape::MildLowBottomRight));
     fn play<const M: usize>(level: &TileMap<'_, AllShapes>) -> Vec<(Vec2, Vec2)> {
-        let mut scene = Scene::<SortSweep<4, SceneTag>, 4, M>::remembering(SortSweep::new(), Sleep::NEVER);
+        let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES, M>::remembering(SortSweep::new(), Sleep::NEVER);
         let ball = Circle::new(vec2(33 << 16, 36 << 16), Fx::from_bits(296_316)).unwrap();
         let ball = scene.insert(&SceneBody { fast: true, ..SceneBody::new(ball, 1) }).unwrap();
         let boxed = |x: i16, y: i16| Aabb::from_size(Vec2::from_ints(x, y), Vec2::from_ints(6, 6)).unwrap();
@@ -299,7 +299,7 @@ fn what_rests_in_a_v_rests_whoever_is_fast() {
             .collect()
     }
     let level = TileMap::<AllShapes>::of_ascii("......\n......\n.lm#..\n", &KINDS).unwrap();
-    let (looks, remembers) = (play::<0>(&level), play::<4>(&level));
+    let (looks, remembers) = (play::<0>(&level), play::<BODIES>(&level));
     assert!(looks[0] != looks[90] && looks[90..].iter().all(|seen| *seen == looks[90]), "{:?}", &looks[95..105]);
     assert_eq!(looks, remembers);
 }

@@ -5,8 +5,9 @@ use core::num::NonZeroU8;
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{SceneBody, SceneTag};
 use tilesat::{Aabb, Fx, Outside, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat_judge::scenes::BODIES;
 
-type Crates = Scene<SortSweep<8, SceneTag>, 8>;
+type Crates = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// Free from x = 16 to 112, above the floor at y = 32.

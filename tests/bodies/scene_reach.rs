@@ -4,6 +4,7 @@
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Sleep};
 use tilesat::{Aabb, Filter, Scene, TileKind, TileKinds, TileMap, Vec2};
+use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// The corner is at (32, 32).
@@ -11,7 +12,7 @@ const ROOM: &str = "..#\n..#\n###\n";
 /// More than half of the width of the body in the corner.
 const GRAVITY: Vec2 = Vec2::from_raw(49_152, 49_152);
 
-type Bodies<const M: usize> = Scene<SortSweep<8, SceneTag>, 8, M>;
+type Bodies<const M: usize> = Scene<SortSweep<BODIES, SceneTag>, BODIES, M>;
 
 fn boxed(x: i16, y: i16, side: i16) -> Aabb {
     Aabb::from_size(Vec2::from_ints(x, y), Vec2::from_ints(side, side)).unwrap()
@@ -52,7 +53,7 @@ fn fast_beside_a_belt<const M: usize>() {
 #[test]
 fn a_belt_has_no_reach() {
     fast_beside_a_belt::<0>();
-    fast_beside_a_belt::<8>();
+    fast_beside_a_belt::<BODIES>();
 }
 
 /// A body without a mass appears in reach, and touches nobody: the other is moved from hit to hit.
@@ -73,7 +74,7 @@ fn fixed_in_reach<const M: usize>(sensor: bool) -> Vec<Vec<usize>> {
 #[test]
 fn a_fixed_body_that_appears_in_reach_ends_idleness() {
     for sensor in [false, true] {
-        let (looks, remembers) = (fixed_in_reach::<0>(sensor), fixed_in_reach::<8>(sensor));
+        let (looks, remembers) = (fixed_in_reach::<0>(sensor), fixed_in_reach::<BODIES>(sensor));
         assert_eq!((&looks[0], &looks[8]), (&vec![2], &vec![1, 1]), "{looks:?}");
         assert_eq!(looks, remembers, "{sensor}");
     }

@@ -4,13 +4,13 @@
 use tilesat::broad::{PairEvent, PairEvents, SortSweep};
 use tilesat::prelude::*;
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Sleep};
-use tilesat::shape::AnyShape;
 use tilesat::{
     Aabb, Axis, Capsule, Circle, ConvexPolygon, Fx, OrientedBox, Ratio, Scene, Surface, TileKind, TileKinds, TileMap,
     Vec2, fx,
 };
 use tilesat_judge::rooms::drawn;
 use tilesat_judge::scenes::BODIES;
+use tilesat_judge::solids::shapes::Any;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 fn bx(x: i16, y: i16, w: i16, h: i16) -> Aabb {
@@ -20,6 +20,7 @@ fn raw(x: i32, y: i32, w: i32, h: i32) -> Aabb {
     Aabb::new(Vec2::from_raw(x, y), Vec2::from_raw(x + w, y + h)).unwrap()
 }
 type S = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
+type OfAny = Scene<SortSweep<BODIES, SceneTag>, BODIES, 0, Any>;
 
 /// A trap and a crate in it both rest. A ball wakes the crate. No pair ends that the next step
 /// begins again.
@@ -166,7 +167,6 @@ fn what_sleeps_on_a_body_wakes_with_it() {
 /// later step changes it, and it falls asleep.
 #[test]
 fn bodies_without_bounce_rest_in_a_nook() {
-    type Any = AnyShape<5>;
     let shapes = [('\\', 9), ('l', 20), ('h', 24), ('s', 29), ('S', 33)];
     let uneven = drawn(&["......", "......", "......", r"\...lh", r"#\lh##", "######"], 16 << 16, &shapes);
     let steep = drawn(&["......", "......", "......", ".S..s.", ".#Ss#.", ".####.", "######"], 16 << 16, &shapes);
@@ -186,8 +186,7 @@ fn bodies_without_bounce_rest_in_a_nook() {
                 ];
                 for shape in bodies {
                     let surface = Surface::new(Ratio::ZERO, Ratio::percent(percent).unwrap());
-                    let mut scene =
-                        Scene::<SortSweep<1, SceneTag>, 1, 0, Any>::with_sleep(SortSweep::new(), Sleep::NEVER);
+                    let mut scene = OfAny::with_sleep(SortSweep::new(), Sleep::NEVER);
                     let body = scene.insert(&SceneBody { surface, ..SceneBody::of(shape, 1) }).unwrap();
                     for _ in 0..3_000 {
                         scene.step(&level, gravity, |_| {}).unwrap();
@@ -258,7 +257,7 @@ fn what_sleeps_at_a_corner_touches_it() {
 fn what_bounces_on_one_spot_stays_awake() {
     let level = TileMap::from_ascii("......\n.....#\n......\n......\n######\n", &KINDS).unwrap();
     for speed in [40, 114] {
-        let mut scene = Scene::<SortSweep<4, SceneTag>, 4>::new(SortSweep::new());
+        let mut scene = S::new(SortSweep::new());
         let at = |x, w| Aabb::from_size(Vec2::from_ints(x, 18), Vec2::from_ints(w, 14)).unwrap();
         scene.insert(&SceneBody::fixed(at(40, 10), 6)).unwrap();
         let surface = Surface::new(Ratio::ONE, Ratio::percent(10).unwrap());

@@ -6,8 +6,10 @@ use core::num::NonZeroU8;
 use tilesat::broad::SortSweep;
 use tilesat::prelude::*;
 use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape};
-use tilesat::shape::AnyShape;
 use tilesat::{Aabb, Circle, ConvexPolygon, Fx, Scene, Vec2};
+use tilesat_judge::convex::shape::MOST;
+use tilesat_judge::scenes::BODIES;
+use tilesat_judge::solids::shapes::Any;
 use tilesat_judge::{Random, cases};
 
 /// Whether a point that moves from `p` by `d` enters a box, borders excluded. Exact.
@@ -160,14 +162,14 @@ fn held_bodies_are_met_where_they_are() {
     }
 }
 
-type Angular = AnyShape<4>;
+type Polygon = ConvexPolygon<MOST>;
 
 /// Steps a fast and a slow body. Returns whether they met, and how deep they overlap.
-fn step_pair(fast: (Angular, Vec2, u8), slow: (Angular, Vec2)) -> (bool, Fx) {
-    let mut scene = Scene::<SortSweep<2, SceneTag>, 2, 0, Angular>::new(SortSweep::new());
+fn step_pair(fast: (Any, Vec2, u8), slow: (Any, Vec2)) -> (bool, Fx) {
+    let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES, 0, Any>::new(SortSweep::new());
     let mass = NonZeroU8::new(fast.2);
-    let fast = SceneBody::<Angular> { fast: true, mass, velocity: fast.1, ..SceneBody::of(fast.0, 1) };
-    let slow = SceneBody::<Angular> { velocity: slow.1, ..SceneBody::of(slow.0, 2) };
+    let fast = SceneBody::<Any> { fast: true, mass, velocity: fast.1, ..SceneBody::of(fast.0, 1) };
+    let slow = SceneBody::<Any> { velocity: slow.1, ..SceneBody::of(slow.0, 2) };
     let (fast, slow) = (scene.insert(&fast).unwrap(), scene.insert(&slow).unwrap());
     let mut meets = false;
     scene.step(&level(NOWHERE), Vec2::ZERO, |event| meets |= matches!(event, SceneEvent::Meet { .. })).unwrap();
@@ -181,7 +183,7 @@ fn step_pair(fast: (Angular, Vec2, u8), slow: (Angular, Vec2)) -> (bool, Fx) {
 fn nobody_waits_at_a_slanted_side() {
     let plank = Aabb::new(vec2(-2_537_772, -2_157_235), vec2(872_727, -1_299_633)).unwrap();
     let wedge = [vec2(2_356_357, -2_038_453), vec2(1_176_709, -989_877), vec2(390_277, -1_055_413)];
-    let wedge: Angular = ConvexPolygon::<4>::new(&wedge).unwrap().into();
+    let wedge: Any = Polygon::new(&wedge).unwrap().into();
     for mass in [1, 28, 255] {
         let seen = step_pair((plank.into(), vec2(-119_696, 66_315), mass), (wedge, vec2(27_667, -141_411)));
         assert_eq!(seen, (true, Fx::ZERO), "{mass}");
@@ -192,9 +194,9 @@ fn nobody_waits_at_a_slanted_side() {
         let mut near = |most: i64| vec2(r.within(-most, most), r.within(-most, most));
         let corners = [near(40 * PX), near(40 * PX), near(40 * PX)];
         let (at, by, by_slow) = (near(60 * PX), near(3 * PX), near(3 * PX));
-        let Ok(slow) = ConvexPolygon::<4>::hull(&corners) else { continue };
+        let Ok(slow) = Polygon::hull(&corners) else { continue };
         let fast = Aabb::from_size(at, vec2(r.within(PX, 50 * PX), r.within(PX, 20 * PX))).unwrap();
-        let (fast, slow) = (Angular::from(fast), Angular::from(slow));
+        let (fast, slow) = (Any::from(fast), Any::from(slow));
         if !fast.overlaps(&slow) {
             let (meets, depth) = step_pair((fast, by, r.within(1, 255) as u8), (slow, by_slow));
             assert!(depth.to_bits() <= 4, "case {case}: {depth}");

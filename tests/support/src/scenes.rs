@@ -9,6 +9,7 @@ pub static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// Cells of 16: the floor is at y = 64.
 pub const ROOM: &str = "#..........#\n#..........#\n#..........#\n#..........#\n############\n";
 
+/// The room of a scene in most tests, even of two bodies: each other one compiles all of it again.
 pub const BODIES: usize = 32;
 
 pub fn room() -> TileMap<'static> {
