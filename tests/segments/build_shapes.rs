@@ -223,7 +223,7 @@ fn the_compiler_builds_the_same_bytes() {
     assert_eq!(format!("{:?}", SegmentMap::from_bytes(&shifted[1..]).unwrap()), view);
 }
 
-/// Clippy would build the level once more, which takes it ten seconds. A short one has the same code.
+/// Clippy would build the level once more, which takes ten seconds. A short one has the same code.
 const TEETH: usize = if cfg!(clippy) { 22 } else { 2000 };
 const SAW: [Vec2; TEETH] = {
     let (mut points, mut i) = ([Vec2::ZERO; TEETH], 0);
