@@ -32,6 +32,18 @@ pub struct Map {
     pub notes: Vec<String>,
 }
 
+impl Map {
+    /// The largest side of a cell in a file, in pixels. The library's cells have at most 256, but a
+    /// level can be scaled.
+    pub(crate) const MAX_TILE: u16 = 1024;
+
+    /// The side of a cell in a file.
+    pub(crate) fn tile_of(pixels: u64) -> Result<u16, String> {
+        let side = u16::try_from(pixels).ok().filter(|side| (1..=Self::MAX_TILE).contains(side));
+        side.ok_or_else(|| format!("cells of {pixels} pixels; a file may have cells of 1 to {} pixels", Self::MAX_TILE))
+    }
+}
+
 /// The content of a cell.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Placed {

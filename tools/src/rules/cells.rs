@@ -269,7 +269,8 @@ impl Cells {
             |offset: Decimal, index: i32| offset + Decimal::whole(i64::from(index) * i64::from(sheet.tiles.tile));
         let (dx, dy) = (corner(sheet.layer.offset.0, x), corner(sheet.layer.offset.1, y));
         // Decimals end there.
-        let far = |index: i32| (i64::from(index) * i64::from(sheet.tiles.tile)).abs() >= 1_000_000 - 256;
+        let tile = i64::from(sheet.tiles.tile);
+        let far = |index: i32| (i64::from(index) * tile).abs() >= 1_000_000 - tile.max(256);
         if !paths.is_empty() && (far(x) || far(y)) {
             return Err(format!(
                 "its tile in column {x}, row {y} is no shape of the library, and a million pixels from the origin; \

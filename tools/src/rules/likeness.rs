@@ -72,11 +72,16 @@ fn distance(p: Point, (a, b): Line) -> f64 {
 /// The surface of a single tile, from the library.
 pub(super) fn outline(shape: TileShape, tile: u16) -> Vec<Line> {
     let kinds = TileKinds::EMPTY.with(1, TileKind::of(shape));
-    let grid = Grid::new(1, 1, Fx::from_num(tile), Vec2::ZERO);
+    // The library has no cell of more than 256 pixels. Shapes of larger ones are enlarged.
+    let side = tile.min(256);
+    let grid = Grid::new(1, 1, Fx::from_num(side), Vec2::ZERO);
     let map = grid.and_then(|grid| TileMap::<AllShapes>::of(&[1], grid, &kinds));
     let whole = grid.ok().and_then(|grid| Aabb::new(grid.origin(), grid.end()).ok());
     let (Ok(map), Some(whole)) = (map, whole) else { return Vec::new() };
-    World::features(&map, &whole).flat_map(|feature| lines(&feature)).collect()
+    let times = f64::from(tile) / f64::from(side.max(1));
+    let enlarged = |(x, y): Point| (x * times, y * times);
+    let lines = World::features(&map, &whole).flat_map(|feature| lines(&feature));
+    lines.map(|(a, b)| (enlarged(a), enlarged(b))).collect()
 }
 
 fn lines(feature: &Feature) -> Vec<Line> {

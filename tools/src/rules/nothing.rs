@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::cells::Sheet;
 use super::form;
 use super::options::Options;
+use super::words;
 use crate::model::map::{Content, Map, Placed};
 
 /// The most names in a list.
@@ -22,7 +23,7 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     for sheet in sheets {
         let count = sheet.tiles.drawn().count();
         if count > 0 {
-            tiles.push(format!("'{}' ({})", sheet.layer.name, counted(count, "tile")));
+            tiles.push(format!("'{}' ({})", sheet.layer.name, words::several(count, "tile")));
         }
         names.extend(sheet.flags.values().flatten().map(String::as_str));
     }
@@ -32,7 +33,7 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
         let count = all.iter().filter(|object| form::has_extent(object)).count();
         marks += all.len() - count;
         if count > 0 {
-            objects.push(format!("'{}' ({})", layer.name, counted(count, "object")));
+            objects.push(format!("'{}' ({})", layer.name, words::several(count, "object")));
         }
     }
     if tiles.is_empty() && objects.is_empty() && marks == 0 && map.values {
@@ -52,6 +53,9 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     } else if marks > 0 {
         why += "; the objects are points and texts, which are never solid: draw rectangles or polygons";
     }
+    if tiles.is_empty() && objects.is_empty() && marks == 0 {
+        why += "; nothing is drawn in a tile layer or an object layer, and images are not solid: draw tiles or shapes there";
+    }
     if only_marks(map) {
         why += "; points and texts of Tiled's collision editor are not solid: draw rectangles or polygons there";
     }
@@ -69,10 +73,6 @@ fn only_marks(map: &Map) -> bool {
     };
     let mut drawn = map.palette.iter().filter_map(shapes).filter(|shapes| !shapes.is_empty());
     drawn.any(|shapes| !shapes.iter().any(form::has_extent))
-}
-
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 fn list(names: &[String]) -> String {

@@ -5,6 +5,9 @@ use crate::model::decimal::Decimal;
 /// The library's domain in pixels: every coordinate stays below 2^29 raw (contract C1).
 const DOMAIN: i64 = 8192;
 
+/// The largest cell of the library, in pixels.
+const LARGEST: u32 = 256;
+
 /// The length of a pixel of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Unit {
@@ -33,14 +36,20 @@ impl Unit {
     /// The side of a scaled cell, a whole number of pixels.
     pub(super) fn side(self, tile: u16) -> Result<u16, String> {
         let (n, d) = (u32::from(tile) * self.numerator, self.denominator);
-        if n % d != 0 || !(1..=256).contains(&(n / d)) {
+        if n % d == 0 && (1..=LARGEST).contains(&(n / d)) {
+            return Ok((n / d) as u16);
+        }
+        if self.numerator == d {
+            let by = (2..=n).find(|by| n % by == 0 && n / by <= LARGEST).unwrap_or(n);
             return Err(format!(
-                "--scale {}/{d} makes cells of {tile} pixels {} pixels; choose a scale that gives whole pixels from 1 to 256",
-                self.numerator,
-                f64::from(n) / f64::from(d)
+                "cells of {tile} pixels, and the library has cells of at most {LARGEST}; add --scale 1/{by}"
             ));
         }
-        Ok((n / d) as u16)
+        Err(format!(
+            "--scale {}/{d} makes cells of {tile} pixels {} pixels; choose a scale that gives whole pixels from 1 to {LARGEST}",
+            self.numerator,
+            f64::from(n) / f64::from(d)
+        ))
     }
 }
 

@@ -71,8 +71,7 @@ fn forms(layer: &Layer, objects: &[&Object]) -> Vec<String> {
     };
     let turned = objects.iter().filter(is_turned).count();
     let of = |what: &str, count: usize| {
-        let plural = if count == 1 { "" } else { "s" };
-        format!("the {what} of {count} object{plural} of layer '{}'", layer.name)
+        format!("the {what} of {} of layer '{}'", words::several(count, "object"), layer.name)
     };
     let mut lines = Vec::new();
     if texts > 0 {
@@ -115,8 +114,8 @@ fn marks(set: &Tileset, used: impl Fn(u32) -> bool) -> Vec<String> {
     let shapes = || set.tiles.iter().filter(|(id, _)| used(**id)).flat_map(|(_, tile)| &tile.shapes);
     let of = |what: &str, form: &Form| {
         let count = shapes().filter(|shape| shape.form == *form).count();
-        let (plural, them) = if count == 1 { ("", "it") } else { ("s", "them") };
-        let whose = format!("{count} {what}{plural} in the collision editor of tileset '{}'", set.name);
+        let them = if count == 1 { "it" } else { "them" };
+        let whose = format!("{} in the collision editor of tileset '{}'", words::several(count, what), set.name);
         (count > 0).then(|| format!("{whose}: no output has {them}; draw {them} in an object layer"))
     };
     of("point", &Form::Point).into_iter().chain(of("text", &Form::Text)).collect()

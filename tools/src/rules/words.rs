@@ -44,3 +44,8 @@ pub(super) fn plain(name: &str) -> String {
 pub(crate) fn same(a: &str, b: &str) -> bool {
     plain(a) == plain(b)
 }
+
+/// `1 tile`, `2 tiles`.
+pub(super) fn several(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}

@@ -152,7 +152,7 @@ impl Reader<'_> {
             let definition = self.definitions.layers.iter().find(|definition| definition.uid == layer.definition);
             if layer.form == "Entities" {
                 // Only the points of fields need the side of a cell.
-                let side = layer.tile.0.min(256) as u16;
+                let side = layer.tile.0.min(Map::MAX_TILE.into()) as u16;
                 let ids: Vec<u32> = layer.entities.iter().map(|entity| self.ids.of_read(&entity.iid)).collect();
                 let objects =
                     layer.entities.iter().zip(ids).map(|(entity, id)| object(entity, id, side, &mut self.ids));
@@ -276,9 +276,5 @@ fn grid(layer: &raw::Layer) -> Result<u16> {
             return Err(format!("{name} is {other}, not a count"));
         }
     }
-    let tile = layer.tile.0;
-    if !(1..=256).contains(&tile) {
-        return Err(format!("cells of {tile} pixels; the library accepts 1 to 256"));
-    }
-    Ok(tile as u16)
+    Map::tile_of(layer.tile.0)
 }

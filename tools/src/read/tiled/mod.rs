@@ -24,10 +24,8 @@ pub(super) use world::read as world;
 
 type Result<T> = std::result::Result<T, String>;
 
-/// Sides of a cell that the library accepts, in pixels.
-const SIDES: std::ops::RangeInclusive<u32> = 1..=256;
 /// Columns and rows are at most this far from the origin: their pixels stay below 2^30.
-const FARTHEST: i64 = 1 << 22;
+const FARTHEST: i64 = (1 << 30) / Map::MAX_TILE as i64;
 /// The most layers in a map, with those of groups.
 const MAX_LAYERS: usize = 1000;
 
@@ -96,10 +94,7 @@ fn side(map: &raw::Map) -> Result<u16> {
              {ONE_NUMBER}"
         ));
     }
-    if !SIDES.contains(&width) {
-        return Err(format!("tiles of {width} pixels; the library accepts 1 to 256"));
-    }
-    Ok(width as u16)
+    Map::tile_of(width.into())
 }
 
 /// The first column and row of tiles that are moved by so many.

@@ -3,6 +3,7 @@
 #![no_std]
 #![no_main]
 
+mod queries;
 mod scene;
 mod solids;
 

@@ -1,6 +1,7 @@
 //! Rows of whole scenes: 64 bodies among all tile shapes, half of them boxes and half circles; and
 //! balls in a crowded room.
 
+use crate::queries;
 use core::mem::MaybeUninit;
 use tilesat::broad::SortSweep;
 use tilesat::scene::{SceneTag, Sleep, Snapshot, Stepped};
@@ -20,8 +21,9 @@ pub fn rows(table: &mut Table, scene: &mut Bodies<0>) {
     }
 }
 
-fn steps(table: &Table, scene: &mut Bodies<0>, map: &Map) -> Option<()> {
+fn steps(table: &mut Table, scene: &mut Bodies<0>, map: &Map) -> Option<()> {
     row(table, "64 bodies awake, step", Some((350_000, 0)), scene, map, |s| usize::from(s.moved) == BODIES)?;
+    queries::rows(table, scene);
     // Until most of them lie on the level or on each other.
     for _ in 0..300 {
         scene.step(map, GRAVITY, |_| {}).ok()?;
