@@ -5,8 +5,8 @@ use crate::shape::Convex;
 
 /// Two sharp polygons with four corners each.
 pub(super) struct Quads<'a> {
-    a: &'a [Vec2; 4],
-    b: &'a [Vec2; 4],
+    pub(super) a: &'a [Vec2; 4],
+    pub(super) b: &'a [Vec2; 4],
 }
 
 impl<'a> Quads<'a> {

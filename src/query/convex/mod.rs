@@ -171,9 +171,13 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
             return near.meets::<CLOSED>();
         }
     }
-    let quads = if LONG { None } else { Quads::of(a, b) };
-    if quads.as_ref().is_some_and(Quads::are_apart::<CLOSED>) {
-        return false;
+    let quads = Quads::of(a, b);
+    if let Some(quads) = quads.as_ref() {
+        if LONG {
+            return float_quads::meet::<CLOSED>(quads.a, quads.b);
+        } else if quads.are_apart::<CLOSED>() {
+            return false;
+        }
     }
     // On a chip the bounds of other shapes come first; elsewhere few sides take less than these.
     let in_bounds = !LONG && quads.is_none();
@@ -188,8 +192,7 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
     let are_boxes = a.half_sides().is_some() && b.half_sides().is_some();
     with_cores!(a, b, |a, b| {
         if radius == 0 && each_side::are_few(a, b) {
-            let settled = if LONG { float_quads::meet(a, b) } else { None };
-            return settled.unwrap_or_else(|| each_side::meet::<CLOSED>(a, b));
+            return each_side::meet::<CLOSED>(a, b);
         }
         (!LONG || boxes_meet::<CLOSED>(&bounds())) && meets_by::<CLOSED>(a, b, !are_boxes)
     })
