@@ -1,22 +1,21 @@
-//! Whether two quads are apart along x or y: their first test on cores that multiply in one
-//! instruction.
+//! Whether two quads are apart along x or y: their first test on chips.
 
-use crate::num::{Raw, SPLIT, Vec2};
+use crate::num::{Raw, Vec2};
 use crate::shape::Convex;
 
 /// Two sharp polygons with four corners each.
 pub(super) struct Quads<'a> {
-    a: &'a [Vec2; 4],
-    b: &'a [Vec2; 4],
+    pub(super) a: &'a [Vec2; 4],
+    pub(super) b: &'a [Vec2; 4],
 }
 
 impl<'a> Quads<'a> {
-    /// None for other shapes, and where their sides one by one take longer than a walk.
+    /// None for other shapes.
     #[inline]
     pub(super) fn of(a: &'a impl Convex, b: &'a impl Convex) -> Option<Self> {
         let is_sharp = a.rounding() | b.rounding() == 0;
         let (a, b) = (a.stored_corners()?.try_into().ok()?, b.stored_corners()?.try_into().ok()?);
-        (!SPLIT && is_sharp).then_some(Self { a, b })
+        is_sharp.then_some(Self { a, b })
     }
 
     /// Whether one quad ends before the other begins, along the axis on which their first corners

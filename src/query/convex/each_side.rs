@@ -20,6 +20,17 @@ fn left_of(edge: Raw, p: Vec2) -> i64 {
     edge.cross(Raw::of(p))
 }
 
+/// Whether a corner of the other polygon is inside of a side, or on it.
+#[inline(always)]
+pub(super) fn reaches<const CLOSED: bool>(from: Raw, to: Raw, other: &[Vec2]) -> bool {
+    let edge = to.sub(from);
+    // On a core with words of 32 bits, whether a product is negative is asked of one.
+    other.iter().any(|p| {
+        let way = Raw::of(*p).sub(from);
+        if CLOSED { edge.cross(way) >= 0 } else { way.cross(edge) < 0 }
+    })
+}
+
 /// Whether two polygons overlap, or touch: none is beyond a side of the other one.
 pub(super) fn meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
     if let (Ok(p), Ok(q)) = (<&[Vec2; 4]>::try_from(a.corners), <&[Vec2; 4]>::try_from(b.corners)) {
@@ -34,14 +45,7 @@ fn corners_meet<const CLOSED: bool>(a: &[Vec2], b: &[Vec2]) -> bool {
         let mut from = of.last().map_or(Raw::ZERO, |p| Raw::of(*p));
         of.iter().all(|to| {
             let to = Raw::of(*to);
-            let edge = to.sub(from);
-            let from = replace(&mut from, to);
-            // On a core with words of 32 bits, whether a product is negative is asked of one.
-            let is_inside = |p: &Vec2| {
-                let way = Raw::of(*p).sub(from);
-                if CLOSED { edge.cross(way) >= 0 } else { way.cross(edge) < 0 }
-            };
-            other.iter().any(is_inside)
+            reaches::<CLOSED>(replace(&mut from, to), to, other)
         })
     };
     reach_inside(a, b) && reach_inside(b, a)

@@ -7,7 +7,6 @@ use super::short_place::place_of;
 use super::short_sides::shortly;
 use super::walk::{Core, Corner, PolygonSide, turn};
 use crate::num::{Raw, SPLIT, less128, mul64, sqr64, usqr};
-use crate::shape::Aabb;
 
 /// The last separation of two shapes: a side of one, or the line between two corners.
 ///
@@ -87,8 +86,8 @@ fn are_nearest_corners(a: Core<'_>, i: usize, b: Core<'_>, j: usize) -> bool {
         && is_nearest(b, j, |v| way.dot(v) >= 0)
 }
 
-/// Whether two shapes overlap, the last side first. Their bounding boxes do, if they are known.
-pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>, last: &mut Separation) -> bool {
+/// Whether two shapes overlap, the last side first.
+pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, last: &mut Separation) -> bool {
     if last.separates(a, b) {
         return false;
     }
@@ -98,7 +97,7 @@ pub(super) fn overlaps(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>, l
     } else if each_side::are_few(a, b) {
         each_side::meet::<false>(a, b)
     } else {
-        SPLIT && boxes.and_then(|boxes| shortly(a, b, boxes)) == Some(true)
+        SPLIT && shortly(a, b) == Some(true)
     };
     if meet {
         return true;

@@ -7,15 +7,14 @@ use super::short_sides::shortly;
 use super::walk::Core;
 use crate::num::{Raw, SPLIT, Vec2};
 use crate::query::meet::{circle_circle, circle_segment, segment_segment};
-use crate::shape::Aabb;
 
 /// Whether two shapes overlap, or touch: exact.
 pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
-    meets_in::<CLOSED>(a, b, None)
+    meets_by::<CLOSED>(a, b, false)
 }
 
-/// [`meets`] for a caller that may know the bounding boxes, and that they meet.
-pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Option<&(Aabb, Aabb)>) -> bool {
+/// [`meets`], which of polygons may ask the leading bits first.
+pub(super) fn meets_by<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, is_short: bool) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
     if radius != 0 {
         return corners_meet::<CLOSED>(a, b, radius) || place_of(a, b).within::<CLOSED>(radius);
@@ -23,7 +22,7 @@ pub(super) fn meets_in<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, boxes: Opti
     if let (Some(p), Some(q)) = (Parallelogram::of(a), Parallelogram::of(b)) {
         return p.meets::<CLOSED>(&q);
     }
-    let settled = if SPLIT { boxes.and_then(|boxes| shortly(a, b, boxes)) } else { None };
+    let settled = if SPLIT && is_short { shortly(a, b) } else { None };
     settled.unwrap_or_else(|| sharp::<CLOSED>(a, b).is_ok())
 }
 

@@ -55,7 +55,7 @@ use box_pair::BoxPair;
 use box_point::BoxPoint;
 use capsules::Capsules;
 use exit::Exit;
-use meets::{capsules_meet, meets_in};
+use meets::{capsules_meet, meets_by};
 use short::Short;
 use short_place::place_of;
 
@@ -171,26 +171,30 @@ fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: 
             return near.meets::<CLOSED>();
         }
     }
-    let quads = if LONG { None } else { Quads::of(a, b) };
-    if quads.as_ref().is_some_and(Quads::are_apart::<CLOSED>) {
+    let quads = Quads::of(a, b);
+    if let Some(quads) = quads.as_ref() {
+        if LONG {
+            return float_quads::meet::<CLOSED>(quads.a, quads.b);
+        } else if quads.are_apart::<CLOSED>() {
+            return false;
+        }
+    }
+    // On a chip the bounds of other shapes come first; elsewhere few sides take less than these.
+    let in_bounds = !LONG && quads.is_none();
+    if in_bounds && !boxes_meet::<CLOSED>(&bounds()) {
         return false;
     }
     let radius = a.rounding().wrapping_add(b.rounding());
     if let (true, Some(p), Some(q)) = (radius != 0, a.ends(), b.ends()) {
-        return boxes_meet::<CLOSED>(&bounds()) && capsules_meet::<CLOSED>(p, q, radius);
+        return (in_bounds || boxes_meet::<CLOSED>(&bounds())) && capsules_meet::<CLOSED>(p, q, radius);
     }
-    // On a chip the bounds of other shapes come first; elsewhere few sides take less than these.
-    let known = (!LONG && quads.is_none()).then(&bounds);
-    if known.as_ref().is_some_and(|known| !boxes_meet::<CLOSED>(known)) {
-        return false;
-    }
+    // Two boxes link no test of polygons.
+    let are_boxes = a.half_sides().is_some() && b.half_sides().is_some();
     with_cores!(a, b, |a, b| {
         if radius == 0 && each_side::are_few(a, b) {
-            let settled = if LONG { float_quads::meet(a, b) } else { None };
-            return settled.unwrap_or_else(|| each_side::meet::<CLOSED>(a, b));
+            return each_side::meet::<CLOSED>(a, b);
         }
-        let bounds = known.unwrap_or_else(bounds);
-        (!LONG || boxes_meet::<CLOSED>(&bounds)) && meets_in::<CLOSED>(a, b, Some(&bounds))
+        (!LONG || boxes_meet::<CLOSED>(&bounds())) && meets_by::<CLOSED>(a, b, !are_boxes)
     })
 }
 
@@ -247,10 +251,10 @@ macro_rules! pair {
             fn overlaps_from(&self, b: &$b, last: &mut Separation) -> bool {
                 if let Some(quads) = Quads::of(self, b) {
                     return !quads.are_apart::<false>()
-                        && with_cores!(self, b, |a, b| hint::overlaps(a, b, None, last));
+                        && with_cores!(self, b, |a, b| hint::overlaps(a, b, last));
                 }
                 let bounds = (self.aabb(), b.aabb());
-                boxes_meet::<false>(&bounds) && with_cores!(self, b, |a, b| hint::overlaps(a, b, Some(&bounds), last))
+                boxes_meet::<false>(&bounds) && with_cores!(self, b, |a, b| hint::overlaps(a, b, last))
             }
         }
 

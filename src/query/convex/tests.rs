@@ -6,6 +6,7 @@ use super::box_pair::BoxPair;
 use super::box_point::BoxPoint;
 use super::exit::Exit;
 use super::margins::all_meet;
+use super::short_sides::shortly;
 use super::walk::Core;
 use super::{box_contact, contact, distance, each_side, float_margins, float_quads, gaps, short, short_boxes};
 use crate::num::Raw;
@@ -204,23 +205,31 @@ fn quad(r: &mut Random, size: i64) -> Option<ConvexPolygon<4>> {
     ConvexPolygon::new(&corners).ok()
 }
 
-/// What floats say of two quads is what integers say.
-fn same_of_quads(a: &ConvexPolygon<4>, b: &ConvexPolygon<4>) -> (Option<bool>, bool) {
-    let (p, q) = (a.outline(), b.outline());
-    let (p, q) = (Core { corners: p, radius: 0 }, Core { corners: q, radius: 0 });
-    let by_floats = float_quads::meet(p, q);
+/// Floats and leading bits say of two quads what integers say.
+///
+/// Whether the quads overlap, whether leading bits tell, and whether floats find a contact.
+fn same_of_quads(a: &ConvexPolygon<4>, b: &ConvexPolygon<4>) -> (bool, bool, bool) {
+    let [p, q] = [a, b].map(|of| Core { corners: of.outline(), radius: 0 });
     let (open, closed) = (each_side::meet::<false>(p, q), each_side::meet::<true>(p, q));
-    assert!(by_floats.is_none_or(|meet| meet == open && meet == closed), "{a:?} {b:?}");
+    let [c, d] = [a, b].map(|of| <&[Vec2; 4]>::try_from(of.outline()).unwrap());
+    assert_eq!((float_quads::meet::<false>(c, d), float_quads::meet::<true>(c, d)), (open, closed), "{a:?} {b:?}");
+    let by_bits = shortly(p, q);
+    assert!(by_bits.is_none_or(|meet| meet == open && meet == closed), "{a:?} {b:?}");
+    // The copy for any number of corners.
+    let half = Core { corners: p.corners.split_at(3).0, radius: 0 };
+    let (open_half, closed_half) = (each_side::meet::<false>(half, q), each_side::meet::<true>(half, q));
+    assert!(shortly(half, q).is_none_or(|meet| meet == open_half && meet == closed_half), "{a:?} {b:?}");
+    let mut is_deep = false;
     if let Ok(contact) = float_quads::contact(p, q) {
         assert_eq!(contact, Exit::of(p, q).map(|exit| exit.contact), "{a:?} {b:?}");
-        return (by_floats, contact.is_some());
+        is_deep = contact.is_some();
     }
-    (by_floats, false)
+    (open, by_bits.is_some(), is_deep)
 }
 
-/// Of all sizes and depths.
+/// Of all sizes and depths. Leading bits settle those that do not nearly touch.
 #[test]
-fn near_quads_by_floats() {
+fn near_quads_by_floats_and_by_leading_bits() {
     let mut r = Random::new(87);
     let (mut told, mut deep, mut unsure) = (0u64, 0u64, 0u64);
     for _ in 0..cases(60_000) {
@@ -234,9 +243,9 @@ fn near_quads_by_floats() {
             each_side::meet::<true>(Core { corners: p, radius: 0 }, Core { corners: q, radius: 0 })
         });
         let t = if r.one_in(2) { touch } else { r.within(0, 1 << 30) };
-        let (by_floats, is_deep) = same_of_quads(&a, &at(t, (r.around(3), r.around(3))));
-        told += u64::from(by_floats.is_some());
-        unsure += u64::from(by_floats.is_none());
+        let (_, by_bits, is_deep) = same_of_quads(&a, &at(t, (r.around(3), r.around(3))));
+        told += u64::from(by_bits);
+        unsure += u64::from(!by_bits);
         deep += u64::from(is_deep);
     }
     let few = cases(60_000) / 40;
@@ -259,7 +268,7 @@ fn tied_sides_of_quads() {
         };
         let (Some(a), Some(b)) = (turned(&mut r), turned(&mut r)) else { continue };
         let b = b.translated(vec((r.around(1), r.around(1)))).unwrap();
-        let (_, is_deep) = same_of_quads(&a, &b);
+        let (.., is_deep) = same_of_quads(&a, &b);
         told += u64::from(is_deep);
         tied += u64::from(!is_deep);
     }
@@ -271,7 +280,7 @@ fn tied_sides_of_quads() {
 #[test]
 fn least_heights_of_large_quads() {
     let mut r = Random::new(88);
-    let (mut told, mut unsure) = (0u64, 0u64);
+    let (mut hits, mut apart) = (0u64, 0u64);
     for _ in 0..cases(60_000) {
         let most = (1 << 28) - 1;
         let (x, y) = (r.within(1 << 27, most) * r.sign(), r.within(1 << 26, most) * r.sign());
@@ -289,10 +298,10 @@ fn least_heights_of_large_quads() {
         let next = |k: i64, l: i64| (corner.0 + right.0 / 2 + x / k, corner.1 + right.1 / 2 + y / l);
         let b = [corner, next(-4, -4), (corner.0 + right.0, corner.1 + right.1), next(4, 4)];
         let (Ok(a), Ok(b)) = (ConvexPolygon::new(&a.map(vec)), ConvexPolygon::new(&b.map(vec))) else { continue };
-        let (by_floats, _) = same_of_quads(&a, &b);
-        told += u64::from(by_floats.is_some());
-        unsure += u64::from(by_floats.is_none());
+        let (open, ..) = same_of_quads(&a, &b);
+        hits += u64::from(open);
+        apart += u64::from(!open);
     }
     let few = cases(60_000) / 40;
-    assert!(enough(told > few && unsure > few), "{told} {unsure}");
+    assert!(enough(hits > few && apart > few), "{hits} {apart}");
 }
