@@ -32,6 +32,12 @@ pub(super) struct State {
     pub(super) epoch: u32,
 }
 
+impl State {
+    fn next_slot(self) -> u16 {
+        self.free.checked_sub(1).unwrap_or(self.top)
+    }
+}
+
 /// No slot.
 pub(super) const NIL: u16 = u16::MAX;
 
@@ -130,6 +136,12 @@ impl<T: Tag> Bodies<'_, T> {
         if self.generations.get(slot) == Some(&handle.generation()) { Ok(slot) } else { Err(BroadError::Stale(handle)) }
     }
 
+    /// The slot of the body that is inserted next; one that does not exist if there is no room.
+    #[inline]
+    pub(crate) fn next_slot(&self) -> usize {
+        usize::from(self.state.next_slot())
+    }
+
     /// The slots of all bodies whose boxes touch a region, one after the other.
     #[inline]
     pub(super) fn touching(&self, region: &Aabb, mut each: impl FnMut(usize)) {
@@ -159,13 +171,12 @@ impl<T: Tag> Bodies<'_, T> {
 
 impl<T: Tag> Slots<'_, T> {
     pub(super) fn insert(&mut self, bounds: &Aabb, tag: T) -> Result<Handle, BroadError> {
-        let reused = self.state.free.checked_sub(1);
-        let slot = usize::from(reused.unwrap_or(self.state.top));
+        let slot = usize::from(self.state.next_slot());
         let places = (self.bounds.get_mut(slot), self.tags.get_mut(slot), self.generations.get_mut(slot));
         let (Some(place), Some(own), Some(generation)) = places else {
             return Err(BroadError::Full { capacity: self.bounds.len() as u16 });
         };
-        if reused.is_some() {
+        if self.state.free != 0 {
             self.state.free = place.hi().y as u16;
         } else {
             self.state.top += 1;

@@ -258,12 +258,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub fn insert(&mut self, body: &SceneBody<S>) -> Result<Handle, SceneError> {
         body.shape.check_body().map_err(SceneError::call)?;
         check_motion(body.velocity, MOTION).map_err(SceneError::call)?;
-        let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;
-        let Some(slot) = self.slots.get_mut(handle.slot()) else {
-            let taken_back = self.leave(handle);
-            debug_assert!(taken_back.is_ok(), "it has just been inserted");
+        // The broad phase may have room for more bodies.
+        let Some(slot) = self.slots.get_mut(self.near.table().next_slot()) else {
             return Err(SceneError::call(BroadError::Full { capacity: N as u16 }));
         };
+        let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;
         *slot = Slot::of(body, handle);
         self.wake_body(handle, false);
         self.wake_neighbours(body);
@@ -276,20 +275,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// [`Stale`](BroadError::Stale).
     pub fn remove(&mut self, handle: Handle) -> Result<SceneBody<S>, SceneError> {
         let body = *self.body(handle)?;
-        self.leave(handle).map_err(|e| SceneError::of(handle, e))?;
+        self.near.remove(handle).map_err(|e| SceneError::of(handle, e))?;
+        // No enumeration of pairs is running.
+        self.near.forget(handle.slot());
         self.remove_from_awake(handle);
         if let Some(slot) = self.slots.get_mut(handle.slot()) {
             *slot = Slot::FREE;
         }
         self.wake_neighbours(&body);
         Ok(body)
-    }
-
-    /// Removes a body from the broad phase. No enumeration of pairs is running.
-    fn leave(&mut self, handle: Handle) -> Result<(), BroadError> {
-        self.near.remove(handle)?;
-        self.near.forget(handle.slot());
-        Ok(())
     }
 
     /// All bodies, including those that sleep or are fixed, in the order of their slots. That order

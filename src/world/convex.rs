@@ -18,9 +18,8 @@ pub struct ConvexBody<'a> {
 
 impl ConvexBody<'_> {
     /// The same body relative to a level that is shifted by a further offset.
-    pub(in crate::world) const fn seen_from(&self, offset: Raw) -> Self {
-        let bounds = Aabb::from_raw_unchecked(self.bounds.lo().sub(offset), self.bounds.hi().sub(offset));
-        Self { bounds, offset: self.offset.add(offset), ..*self }
+    pub(in crate::world) fn seen_from(&self, offset: Raw) -> Self {
+        Self { bounds: self.bounds.shifted(offset.reversed()), offset: self.offset.add(offset), ..*self }
     }
 
     /// Whether it meets the hull of some points of the level.

@@ -7,7 +7,7 @@ use super::ray::world::{RayScan, RayWorld, rays};
 use super::ray::{RayHit, RayRules, checked};
 use crate::error::RangeError;
 use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
-use crate::shape::{Aabb, Circle};
+use crate::shape::{Aabb, Circle, Convex};
 use crate::world::convex::ConvexBody;
 
 /// A level shifted by an offset: a polygon that moves, or a room that slides in. It is a level,
@@ -89,13 +89,9 @@ impl<'a, W: World> Placed<'a, W> {
         PlacedFeatures { features: self.world.features(&self.seen(region)), offset: self.offset }
     }
 
-    /// A box relative to the level.
-    const fn seen(&self, b: &Aabb) -> Aabb {
-        Aabb::from_raw_unchecked(b.lo().sub(self.offset), b.hi().sub(self.offset))
-    }
-
-    const fn seen_circle(&self, c: &Circle) -> Circle {
-        Circle::from_raw_unchecked(c.c().sub(self.offset), c.r())
+    /// A shape relative to the level.
+    fn seen<P: Probe>(&self, shape: &P) -> P {
+        shape.less(self.offset)
     }
 }
 
@@ -173,7 +169,7 @@ impl<W: World> World for Placed<'_, W> {
         }
         self.world.look(&there, r, seen);
         if let Some(held) = &mut seen.held {
-            *held = Aabb::from_raw_unchecked(held.lo().add(self.offset), held.hi().add(self.offset));
+            *held = held.shifted(self.offset);
         }
         // The other level's answer is about its own place.
         false
@@ -196,7 +192,7 @@ impl<W: World> World for Placed<'_, W> {
     }
 
     fn overlaps_circle(&self, c: &Circle) -> bool {
-        self.world.overlaps_circle(&self.seen_circle(c))
+        self.world.overlaps_circle(&self.seen(c))
     }
 
     fn touches_aabb(&self, b: &Aabb) -> bool {
@@ -204,11 +200,11 @@ impl<W: World> World for Placed<'_, W> {
     }
 
     fn touches_circle(&self, c: &Circle) -> bool {
-        self.world.touches_circle(&self.seen_circle(c))
+        self.world.touches_circle(&self.seen(c))
     }
 
     fn flags_touched<P: Probe>(&self, shape: &P) -> u8 {
-        self.world.flags_touched(&shape.less(self.offset))
+        self.world.flags_touched(&self.seen(shape))
     }
 }
 

@@ -43,6 +43,11 @@ pub(crate) mod probe {
         fn less(&self, offset: Raw) -> Self;
     }
 
+    /// Whether a shape touches a core.
+    fn touch(shape: &impl Convex, corners: &[Vec2], radius: i32) -> bool {
+        meets::<true>(Core { corners: &shape.outline(), radius: shape.rounding() }, Core { corners, radius })
+    }
+
     impl Probe for Aabb {
         fn bounds(&self) -> (Raw, Raw) {
             (self.lo(), self.hi())
@@ -59,10 +64,10 @@ pub(crate) mod probe {
             meet::segment_aabb::<true>(a, b, self.lo(), self.hi())
         }
         fn touches_core(&self, corners: &[Vec2], radius: i32) -> bool {
-            meets::<true>(Core { corners: &self.outline(), radius: 0 }, Core { corners, radius })
+            touch(self, corners, radius)
         }
         fn less(&self, offset: Raw) -> Self {
-            Self::from_raw_unchecked(self.lo().sub(offset), self.hi().sub(offset))
+            self.shifted(offset.reversed())
         }
     }
 
@@ -88,10 +93,10 @@ pub(crate) mod probe {
             meet::circle_segment::<true>(self.c(), self.r(), a, b)
         }
         fn touches_core(&self, corners: &[Vec2], radius: i32) -> bool {
-            meets::<true>(Core { corners: &self.outline(), radius: self.r() }, Core { corners, radius })
+            touch(self, corners, radius)
         }
         fn less(&self, offset: Raw) -> Self {
-            Self::from_raw_unchecked(self.c().sub(offset), self.r())
+            self.shifted(offset.reversed())
         }
     }
 

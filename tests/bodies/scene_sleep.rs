@@ -326,13 +326,15 @@ fn refusals_change_nothing() {
     let first = small.insert(&body).unwrap();
     small.insert(&body).unwrap();
     let full = SceneError { body: None, fault: SceneFault::Broad(BroadError::Full { capacity: 2 }) };
+    let before = format!("{small:?}");
     assert_eq!(small.insert(&body), Err(full));
+    assert_eq!(format!("{small:?}"), before, "nor does the broad phase, which has more room");
     assert_eq!((small.near().len(), small.awake().len()), (2, 2));
     let fast = Vec2::from_ints(4096, 0);
     let fault = small.set_velocity(first, fast).unwrap_err();
     assert!(fault.body == Some(first) && matches!(fault.fault, SceneFault::Move(MoveError::Range(_))));
     assert!(small.insert(&SceneBody { velocity: fast, ..body }).is_err());
-    assert_eq!(small.body(first), Ok(&body));
+    assert_eq!((small.body(first), format!("{small:?}")), (Ok(&body), before));
     let removed = small.remove(first).unwrap();
     assert_eq!(removed, body);
     let stale = Err(SceneError { body: Some(first), fault: SceneFault::Broad(BroadError::Stale(first)) });

@@ -32,8 +32,8 @@ impl<A: RayWorld, B: RayWorld> RayWorld for Joined<'_, A, B> {
     // A separate function: the parts are copied here, and not on top of the first hit's stack.
     #[inline(never)]
     fn scan(&self, o: Raw, d: Raw, rules: RayRules) -> Self::Scan<'_> {
-        let (a, b) = (self.first().scan(o, d, rules), self.second().scan(o, d, rules));
-        let (a, b) = (OneAhead { scan: a, next: None, over: false }, OneAhead { scan: b, next: None, over: false });
+        let a = OneAhead::of(self.first().scan(o, d, rules));
+        let b = OneAhead::of(self.second().scan(o, d, rules));
         JoinedRayHits { pair: *self, o, d, rules, started: false, a, b }
     }
 
@@ -158,6 +158,11 @@ struct OneAhead<S> {
 }
 
 impl<S: RayScan> OneAhead<S> {
+    #[inline]
+    const fn of(scan: S) -> Self {
+        Self { scan, next: None, over: false }
+    }
+
     #[inline(never)]
     fn fill(&mut self) {
         if self.next.is_none() && !self.over {
