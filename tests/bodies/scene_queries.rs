@@ -1,8 +1,10 @@
 //! Questions to a scene about its bodies, against all bodies one by one: the exact time of each
 //! hit, then the key, then the slot. Times and overlaps are judged by the exact sum of two shapes.
 
+use std::collections::BTreeSet;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, SortSweep, SpatialHash};
 use tilesat::scene::{BodyShape, SceneHit, SceneTag, Shape, WithCapsules};
+use tilesat::shape::Compound;
 use tilesat::{
     Aabb, Capsule, CastHit, Circle, Filter, Fx, Inside, LayerMask, Quantity, RangeError, Scene, SceneBody, TileKinds,
     TileMap, Vec2,
@@ -11,7 +13,7 @@ use tilesat_judge::casts::judge::{Forbidden, ONE};
 use tilesat_judge::convex::shape::hull;
 use tilesat_judge::oracle::int256::Int256;
 use tilesat_judge::solids::shapes::{Any, Figure, mirrored_shape, plank};
-use tilesat_judge::solids::{P, disc, rect, vec2};
+use tilesat_judge::solids::{P, disc, raw, rect, vec2};
 use tilesat_judge::{Random, cases, enough};
 
 const N: usize = 10;
@@ -328,6 +330,25 @@ fn filled(bodies: &[SceneBody]) -> Bodies<Near, Shape> {
     scene
 }
 
+/// A box and another one three units to the right of it, as one shape.
+fn pair_of_boxes(scene: &Bodies<Near, Shape>, q: &Question<Shape>, [a, b]: &[(Answer, Answer, [Vec<u32>; 3]); 2]) {
+    let first = q.body.aabb();
+    let second = first.translated(vec2((3 * raw(first.size()).0, 0))).unwrap();
+    let both = Compound::<Aabb, 2>::new(&[second, first]).unwrap();
+    let hit = scene.cast_shape(&both, vec2(q.d), q.inside, |_, _| true).unwrap();
+    // One that starts in a body and ignores it ignores the hits of the other one, too.
+    if q.inside == Inside::Hit {
+        let early = |hit: &Answer| hit.map(|(key, hit)| (hit.toi, key));
+        let earlier = early(&a.1).into_iter().chain(early(&b.1)).min();
+        assert_eq!(early(&answer(scene, hit)), earlier, "{:?} {:?}", q.o, q.d);
+    }
+    let (mut inside, mut near) = (BTreeSet::new(), BTreeSet::new());
+    scene.overlapping(&both, |_, body| assert!(inside.insert(body.key)));
+    scene.touching(&both, |_, body| assert!(near.insert(body.key)));
+    let either = |i: usize| a.2[i].iter().chain(&b.2[i]).copied().collect::<BTreeSet<_>>();
+    assert_eq!([inside, near], [either(0), either(1)]);
+}
+
 /// Every ray and every motion of a unit box on a lattice, among three bodies that touch.
 #[test]
 fn every_question_of_a_lattice() {
@@ -340,12 +361,16 @@ fn every_question_of_a_lattice() {
     let square = |n: i64| (-n..=n).flat_map(move |x| (-n..=n).map(move |y| (x, y)));
     let mut seen = Seen::default();
     for o in square(2) {
-        for (k, d) in square(4).enumerate() {
-            let o = p(o.0, o.1);
-            let inside = [Inside::Ignore, Inside::Hit][k % 2];
-            let body = rect(o, (o.0 + UNIT, o.1 + UNIT)).into();
-            let q = Question { body, o, d: p(d.0, d.1), inside, mask: !0 };
-            judge(&bodies, &q, &ask(&scene, &q), &mut seen);
+        let o = p(o.0, o.1);
+        let box_at = |o: P| Shape::from(rect(o, (o.0 + UNIT, o.1 + UNIT)));
+        for (d, inside) in square(4).flat_map(|d| [(d, Inside::Ignore), (d, Inside::Hit)]) {
+            let q = |o| Question { body: box_at(o), o, d: p(d.0, d.1), inside, mask: !0 };
+            let answers = [o, (o.0 + 3 * UNIT, o.1)].map(q).map(|q| {
+                let answers = ask(&scene, &q);
+                judge(&bodies, &q, &answers, &mut seen);
+                answers
+            });
+            pair_of_boxes(&scene, &q(o), &answers);
         }
     }
     assert!(seen.hits > 1500 && seen.ties > 150 && seen.inside > 200, "{} {} {}", seen.hits, seen.ties, seen.inside);
