@@ -214,23 +214,6 @@ const fn is_inside(p: Raw) -> bool {
 
 meets_as_world! { [W: World] Placed<'_, W> }
 
-impl<W: RayWorld> Placed<'_, W> {
-    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
-    /// count as one.
-    ///
-    /// # Errors
-    /// As [`cast_ray`](Self::cast_ray).
-    pub fn cast_ray_all(
-        &self,
-        origin: Vec2,
-        motion: Vec2,
-        rules: impl Into<RayRules>,
-    ) -> Result<PlacedRayHits<'_, W>, RangeError> {
-        let (o, d) = self.check_ray(origin, motion)?;
-        Ok(self.scan(o, d, rules.into()))
-    }
-}
-
 rays! {
     [W: RayWorld] Placed<'_, W> {
         /// The first point of the level that a ray from `origin` along `motion` meets, or `None` if
@@ -258,6 +241,12 @@ rays! {
         /// # Errors
         /// As [`cast_ray`](Self::cast_ray).
         line_of_sight,
+        /// All hits of a ray in order, as if it continued through what it hits. Hits at the same
+        /// moment count as one.
+        ///
+        /// # Errors
+        /// As [`cast_ray`](Self::cast_ray).
+        cast_ray_all -> PlacedRayHits<'_, W>,
     }
 }
 

@@ -65,23 +65,6 @@ impl<A: RayWorld, B: RayWorld> Joined<'_, A, B> {
         [hits.a.over, hits.b.over] = free;
         hits.next_found().is_none()
     }
-
-    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
-    /// count as one.
-    ///
-    /// Cost: as [`cast_ray`](Self::cast_ray).
-    ///
-    /// # Errors
-    /// As [`cast_ray`](Self::cast_ray).
-    pub fn cast_ray_all(
-        &self,
-        origin: Vec2,
-        motion: Vec2,
-        rules: impl Into<RayRules>,
-    ) -> Result<JoinedRayHits<'_, A, B>, RangeError> {
-        let (o, d) = self.check_ray(origin, motion)?;
-        Ok(self.scan(o, d, rules.into()))
-    }
 }
 
 rays! {
@@ -132,6 +115,14 @@ rays! {
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
+        /// All hits of a ray in order, as if it continued through what it hits. Hits at the same
+        /// moment count as one.
+        ///
+        /// Cost: as [`cast_ray`](Self::cast_ray).
+        ///
+        /// # Errors
+        /// As [`cast_ray`](Self::cast_ray).
+        cast_ray_all -> JoinedRayHits<'_, A, B>,
     }
 }
 

@@ -84,11 +84,11 @@ pub trait RayScan: Iterator<Item = RayHit> {
 
 /// The methods of each kind of level, which need no import of [`RayWorld`], after the documentation
 /// of each:
-/// `rays! { [parameters] type { /// ... cast_ray, ... } }`.
+/// `rays! { [parameters] type { /// ... cast_ray, /// ... cast_ray_all -> cursor, ... } }`.
 macro_rules! rays {
-    ([$($parameters:tt)*] $level:ty { $($(#[$doc:meta])* $verb:ident,)* }) => {
+    ([$($parameters:tt)*] $level:ty { $($(#[$doc:meta])* $verb:ident $(-> $hits:ty)?,)* }) => {
         impl<$($parameters)*> $level {
-            $($crate::world::ray::world::rays! { @$verb $(#[$doc])* })*
+            $($crate::world::ray::world::rays! { @$verb $($hits,)? $(#[$doc])* })*
         }
     };
     (@cast_ray $(#[$doc:meta])*) => {
@@ -101,6 +101,18 @@ macro_rules! rays {
             rules: impl Into<$crate::world::RayRules>,
         ) -> Result<Option<$crate::world::RayHit>, $crate::RangeError> {
             $crate::world::ray::world::RayWorld::cast_ray(self, origin, motion, rules)
+        }
+    };
+    (@cast_ray_all $hits:ty, $(#[$doc:meta])*) => {
+        $(#[$doc])*
+        pub fn cast_ray_all(
+            &self,
+            origin: $crate::Vec2,
+            motion: $crate::Vec2,
+            rules: impl Into<$crate::world::RayRules>,
+        ) -> Result<$hits, $crate::RangeError> {
+            let (o, d) = $crate::world::ray::world::RayWorld::check_ray(self, origin, motion)?;
+            Ok($crate::world::ray::world::RayWorld::scan(self, o, d, rules.into()))
         }
     };
     (@line_of_sight $(#[$doc:meta])*) => {

@@ -2,34 +2,16 @@
 
 use super::overlap::Spoke;
 use super::{Kind, Refs, Seg, SegmentMap};
-use crate::error::RangeError;
-use crate::num::{Raw, Vec2};
+use crate::num::Raw;
 use crate::world::cell::Cell;
 use crate::world::grid::Grid;
 use crate::world::level::Feature;
 use crate::world::ray::scan::{RayLevel, Scan, ScanHit};
 use crate::world::ray::walk::{Beyond, RayWalk};
 use crate::world::ray::world::{RayScan, RayWorld, rays};
-use crate::world::ray::{RayHit, RayPieces, RayRules, checked};
+use crate::world::ray::{RayHit, RayPieces, RayRules};
 
-impl<'a> SegmentMap<'a> {
-    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
-    /// count as one.
-    ///
-    /// Cost: as [`cast_ray`](Self::cast_ray), and the step's segments once more for each hit.
-    ///
-    /// # Errors
-    /// As [`cast_ray`](Self::cast_ray).
-    pub fn cast_ray_all(
-        &self,
-        origin: Vec2,
-        motion: Vec2,
-        rules: impl Into<RayRules>,
-    ) -> Result<SegmentRayHits<'_, 'a>, RangeError> {
-        let (o, d) = checked(origin, motion)?;
-        Ok(self.scan(o, d, rules.into()))
-    }
-
+impl SegmentMap<'_> {
     /// Whether a ray is strictly inside the solid just after its start: on both of its sides.
     fn goes_in(&self, o: Raw, d: Raw) -> bool {
         let (start, ahead) = (self.winding_beside(o), Spoke { dir: d, change: 0 });
@@ -40,7 +22,7 @@ impl<'a> SegmentMap<'a> {
 }
 
 rays! {
-    [] SegmentMap<'_> {
+    ['a] SegmentMap<'a> {
         /// The first point of a boundary or wall that a ray from `origin` along `motion` meets, or
         /// `None` if it ends before.
         ///
@@ -70,6 +52,14 @@ rays! {
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
+        /// All hits of a ray in order, as if it continued through what it hits. Hits at the same
+        /// moment count as one.
+        ///
+        /// Cost: as [`cast_ray`](Self::cast_ray), and the step's segments once more for each hit.
+        ///
+        /// # Errors
+        /// As [`cast_ray`](Self::cast_ray).
+        cast_ray_all -> SegmentRayHits<'_, 'a>,
     }
 }
 

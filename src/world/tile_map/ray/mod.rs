@@ -195,7 +195,7 @@ impl<S: ShapeSet, T: Store> Iterator for RayHits<'_, '_, S, T> {
 }
 
 rays! {
-    [S: ShapeSet, T: Store] TileMap<'_, S, T> {
+    ['a, S: ShapeSet, T: Store] TileMap<'a, S, T> {
         /// Whether a ray from `a` reaches `b` without a hit: the line between them is free of the
         /// closed solid.
         ///
@@ -219,40 +219,31 @@ rays! {
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,
-    }
-}
-
-impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
-    /// Every hit of a ray, nearest first, as if it continued through what it hits.
-    ///
-    /// The rules are those of [`cast_ray`](Self::cast_ray), whose hit is the first. A hit is a
-    /// point at which the ray enters the solid, or touches it at a corner. Leaving the solid is no
-    /// hit. Several faces at the same moment give one hit, so the joint of two tiles is hit once.
-    ///
-    /// Cost: the cursor stores no hits, so none can be cut off. It walks only as far as you read:
-    /// at most width + height + 4 cells, and the cells of one step once more for each hit. No cell
-    /// has more than three hits. [`RayHit::cells`] counts the cells up to that hit.
-    ///
-    /// ```
-    /// use tilesat::{Inside, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'/', TileKind::of(TileShape::SlopeBottomRight));
-    /// let map = TileMap::from_ascii("./..#.#", &TileKinds::EMPTY)?.with_kinds::<Slopes>(&KINDS)?;
-    /// let hits = map.cast_ray_all(Vec2::from_ints(0, 12), Vec2::from_ints(112, 0), Inside::Ignore).unwrap();
-    /// let found: Vec<_> = hits.map(|hit| (hit.point.x.to_num::<i32>(), hit.cell.x)).collect();
-    /// assert_eq!(found, [(20, 1), (64, 4), (96, 6)]);
-    /// # Ok::<(), tilesat::TileMapError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
-    pub fn cast_ray_all(
-        &self,
-        origin: Vec2,
-        motion: Vec2,
-        rules: impl Into<RayRules>,
-    ) -> Result<RayHits<'_, 'a, S, T>, RangeError> {
-        let (o, d) = checked(origin, motion)?;
-        Ok(self.scan(o, d, rules.into()))
+        /// Every hit of a ray, nearest first, as if it continued through what it hits.
+        ///
+        /// The rules are those of [`cast_ray`](Self::cast_ray), whose hit is the first. A hit is a
+        /// point at which the ray enters the solid, or touches it at a corner. Leaving the solid is
+        /// no hit. Several faces at the same moment give one hit, so the joint of two tiles is hit
+        /// once.
+        ///
+        /// Cost: the cursor stores no hits, so none can be cut off. It walks only as far as you
+        /// read: at most width + height + 4 cells, and the cells of one step once more for each
+        /// hit. No cell has more than three hits. [`RayHit::cells`] counts the cells up to that
+        /// hit.
+        ///
+        /// ```
+        /// use tilesat::{Inside, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'/', TileKind::of(TileShape::SlopeBottomRight));
+        /// let map = TileMap::from_ascii("./..#.#", &TileKinds::EMPTY)?.with_kinds::<Slopes>(&KINDS)?;
+        /// let hits = map.cast_ray_all(Vec2::from_ints(0, 12), Vec2::from_ints(112, 0), Inside::Ignore).unwrap();
+        /// let found: Vec<_> = hits.map(|hit| (hit.point.x.to_num::<i32>(), hit.cell.x)).collect();
+        /// assert_eq!(found, [(20, 1), (64, 4), (96, 6)]);
+        /// # Ok::<(), tilesat::TileMapError>(())
+        /// ```
+        ///
+        /// # Errors
+        /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
+        cast_ray_all -> RayHits<'_, 'a, S, T>,
     }
 }
 
