@@ -44,13 +44,15 @@ rays! {
         /// ```
         ///
         /// # Errors
-        /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
+        /// [`RangeError`](crate::RangeError) if the start or the end is outside the
+        /// [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` meets no boundary and no wall and does not
         /// start inside. A ray from `a` decides it.
         ///
         /// # Errors
-        /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
+        /// [`RangeError`](crate::RangeError) if a point is outside the
+        /// [domain](crate::num::DOMAIN).
         line_of_sight,
         /// All hits of a ray in order, as if it continued through what it hits. Hits at the same
         /// moment count as one.
