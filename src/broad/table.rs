@@ -18,7 +18,7 @@ pub(super) struct Table<T, const N: usize> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct State {
+pub(crate) struct State {
     /// One more than the slot freed last, or 0. An empty table is all zeros, so a static one takes
     /// no flash.
     pub(super) free: u16,
@@ -33,8 +33,10 @@ pub(super) struct State {
 }
 
 impl State {
-    fn next_slot(self) -> u16 {
-        self.free.checked_sub(1).unwrap_or(self.top)
+    /// The slot of the body that is inserted next; one that does not exist if there is no room.
+    #[inline]
+    pub(crate) fn next_slot(self) -> usize {
+        self.free.checked_sub(1).unwrap_or(self.top).into()
     }
 }
 
@@ -60,7 +62,7 @@ pub struct Bodies<'a, T> {
     pub(super) bounds: &'a [Aabb],
     pub(super) tags: &'a [T],
     pub(super) generations: &'a [u16],
-    pub(super) state: State,
+    pub(crate) state: State,
 }
 
 /// All slots, for writing.
@@ -136,12 +138,6 @@ impl<T: Tag> Bodies<'_, T> {
         if self.generations.get(slot) == Some(&handle.generation()) { Ok(slot) } else { Err(BroadError::Stale(handle)) }
     }
 
-    /// The slot of the body that is inserted next; one that does not exist if there is no room.
-    #[inline]
-    pub(crate) fn next_slot(&self) -> usize {
-        usize::from(self.state.next_slot())
-    }
-
     /// The slots of all bodies whose boxes touch a region, one after the other.
     #[inline]
     pub(super) fn touching(&self, region: &Aabb, mut each: impl FnMut(usize)) {
@@ -171,7 +167,7 @@ impl<T: Tag> Bodies<'_, T> {
 
 impl<T: Tag> Slots<'_, T> {
     pub(super) fn insert(&mut self, bounds: &Aabb, tag: T) -> Result<Handle, BroadError> {
-        let slot = usize::from(self.state.next_slot());
+        let slot = self.state.next_slot();
         let places = (self.bounds.get_mut(slot), self.tags.get_mut(slot), self.generations.get_mut(slot));
         let (Some(place), Some(own), Some(generation)) = places else {
             return Err(BroadError::Full { capacity: self.bounds.len() as u16 });

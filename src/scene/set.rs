@@ -259,7 +259,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         body.shape.check_body().map_err(SceneError::call)?;
         check_motion(body.velocity, MOTION).map_err(SceneError::call)?;
         // The broad phase may have room for more bodies.
-        let Some(slot) = self.slots.get_mut(self.near.table().next_slot()) else {
+        let Some(slot) = self.slots.get_mut(self.near.table().state.next_slot()) else {
             return Err(SceneError::call(BroadError::Full { capacity: N as u16 }));
         };
         let handle = self.near.insert(&body.shape.aabb(), body.tag(body.mass.is_none())).map_err(SceneError::call)?;

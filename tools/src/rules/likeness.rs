@@ -7,6 +7,7 @@ use tilesat::{
 };
 
 use super::names;
+use super::place;
 
 type Point = (f64, f64);
 type Line = (Point, Point);
@@ -72,13 +73,13 @@ fn distance(p: Point, (a, b): Line) -> f64 {
 /// The surface of a single tile, from the library.
 pub(super) fn outline(shape: TileShape, tile: u16) -> Vec<Line> {
     let kinds = TileKinds::EMPTY.with(1, TileKind::of(shape));
-    // The library has no cell of more than 256 pixels. Shapes of larger ones are enlarged.
-    let side = tile.min(256);
+    // The library has no larger cells. Their shapes are enlarged.
+    let side = u32::from(tile).min(place::LARGEST);
     let grid = Grid::new(1, 1, Fx::from_num(side), Vec2::ZERO);
     let map = grid.and_then(|grid| TileMap::<AllShapes>::of(&[1], grid, &kinds));
     let whole = grid.ok().and_then(|grid| Aabb::new(grid.origin(), grid.end()).ok());
     let (Ok(map), Some(whole)) = (map, whole) else { return Vec::new() };
-    let times = f64::from(tile) / f64::from(side.max(1));
+    let times = f64::from(tile) / f64::from(side);
     let enlarged = |(x, y): Point| (x * times, y * times);
     let lines = World::features(&map, &whole).flat_map(|feature| lines(&feature));
     lines.map(|(a, b)| (enlarged(a), enlarged(b))).collect()

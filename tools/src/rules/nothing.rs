@@ -36,7 +36,8 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
             objects.push(format!("'{}' ({})", layer.name, words::several(count, "object")));
         }
     }
-    if tiles.is_empty() && objects.is_empty() && marks == 0 && map.values {
+    let is_bare = tiles.is_empty() && objects.is_empty() && marks == 0;
+    if is_bare && map.values {
         return Ok(());
     }
     // Writing to a string cannot fail.
@@ -53,7 +54,7 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     } else if marks > 0 {
         why += "; the objects are points and texts, which are never solid: draw rectangles or polygons";
     }
-    if tiles.is_empty() && objects.is_empty() && marks == 0 {
+    if is_bare {
         why += "; nothing is drawn in a tile layer or an object layer, and images are not solid: draw tiles or shapes there";
     }
     if only_marks(map) {

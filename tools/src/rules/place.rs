@@ -6,7 +6,7 @@ use crate::model::decimal::Decimal;
 const DOMAIN: i64 = 8192;
 
 /// The largest cell of the library, in pixels.
-const LARGEST: u32 = 256;
+pub(super) const LARGEST: u32 = 256;
 
 /// The length of a pixel of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

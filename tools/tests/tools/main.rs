@@ -27,7 +27,6 @@ mod old_files;
 mod outputs;
 mod play;
 mod played;
-mod private;
 mod rooms;
 mod shapes;
 mod stamps;
@@ -35,6 +34,3 @@ mod support;
 mod unused;
 mod weld;
 mod worlds;
-
-// A private module names it.
-use tilesat_tools::geometry;

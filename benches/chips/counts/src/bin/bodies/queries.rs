@@ -4,7 +4,7 @@ use core::mem::MaybeUninit;
 use tilesat::scene::SceneHit;
 use tilesat::{Circle, Inside, RangeError, Vec2};
 use tilesat_counts::bodies::Bodies;
-use tilesat_counts::inputs::{Random, UNIT, vec};
+use tilesat_counts::inputs::{Random, UNIT, circle, vec};
 use tilesat_counts::measure::{Query, Table, load};
 use tilesat_counts::shapes::{ball, place};
 
@@ -36,7 +36,7 @@ pub fn rows(table: &mut Table, scene: &Bodies<0>) {
     let short = |r: &mut Random| vec((r.raw(-30, 30), r.raw(-30, 30)));
     let name = "64 bodies: a circle cast up to 30 units";
     table.row(name, None, cast, |_, _| load::<_, _, _, 5, 0>, |r| Some(((ball(r)?, short(r)), scene)), Result::is_ok);
-    let wide = |r: &mut Random| Circle::new(vec(place(r)), tilesat::Fx::from_bits(40 * UNIT)).ok();
+    let wide = |r: &mut Random| circle(place(r), 40 * UNIT);
     let name = "64 bodies: a circle of 40 units, all that overlap";
     table.row(name, None, blast, |_, _| load::<_, _, _, 3, 0>, |r| Some((wide(r)?, scene)), |_| true);
     let name = "64 bodies: all at a point";
