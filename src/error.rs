@@ -64,6 +64,10 @@ pub enum Quantity {
     Rounding,
     /// The number of corners of a solid after its turn.
     Corners,
+    /// The horizontal coordinate at which a motion or a ray would end.
+    EndX,
+    /// The vertical coordinate at which a motion or a ray would end.
+    EndY,
 }
 
 /// An input outside the range that keeps arithmetic exact; nothing was changed.
@@ -72,8 +76,7 @@ pub enum Quantity {
 pub struct RangeError {
     /// The input that is out of range.
     pub what: Quantity,
-    /// The raw value that is out of range. For a circle or a motion, the coordinate that it would
-    /// reach.
+    /// The raw value that is out of range. For a circle, the coordinate that it would reach.
     pub value: i32,
 }
 
@@ -84,7 +87,10 @@ impl fmt::Display for RangeError {
             Quantity::X | Quantity::Y => "keep positions less than 8192 units from the origin on each axis",
             Quantity::Radius | Quantity::HalfExtent | Quantity::Length => "it must be from 0 to below 8192 units",
             Quantity::Width | Quantity::Height => "the second corner must be beyond the first",
-            Quantity::MotionX | Quantity::MotionY => "shorten the motion, or begin it nearer to the origin",
+            Quantity::MotionX | Quantity::MotionY => "a motion must be less than 4096 units on each axis",
+            Quantity::EndX | Quantity::EndY => {
+                "motions and rays must end less than 8192 units from the origin on each axis"
+            }
             Quantity::BodySize => "a moving body must be less than 8192 units wide and high",
             Quantity::Cells => {
                 return write!(

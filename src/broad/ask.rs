@@ -280,7 +280,7 @@ fn touched(a: &Aabb, d: Raw, b: &Aabb) -> Option<Toi> {
 fn checked_way(start: &Aabb, motion: Vec2) -> Result<Raw, RangeError> {
     let d = Raw::of(motion);
     let (lo, hi) = (start.lo().add(d), start.hi().add(d));
-    for (what, low, high) in [(Quantity::MotionX, lo.x, hi.x), (Quantity::MotionY, lo.y, hi.y)] {
+    for (what, low, high) in [(Quantity::EndX, lo.x, hi.x), (Quantity::EndY, lo.y, hi.y)] {
         for value in [low, high] {
             if value <= -DOMAIN || value >= DOMAIN {
                 return Err(RangeError { what, value });

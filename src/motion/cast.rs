@@ -84,7 +84,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
         motion: Vec2,
         rules: impl Into<RayRules>,
     ) -> Result<Option<BodyHit<B>>, RangeError> {
-        cast(self, body, motion, rules.into())
+        cast_in(self, body, motion, rules.into())
     }
 }
 
@@ -103,7 +103,7 @@ macro_rules! casts {
                 motion: Vec2,
                 rules: impl Into<RayRules>,
             ) -> Result<Option<BodyHit<B>>, RangeError> {
-                cast(self, body, motion, rules.into())
+                cast_in(self, body, motion, rules.into())
             }
         }
     };
@@ -134,7 +134,7 @@ casts! {
     [C: SolidShape] ConvexSolids<'_, C>
 }
 
-pub(super) fn cast<W: World, B: Body>(
+pub(crate) fn cast_in<W: World, B: Body>(
     world: &W,
     body: &B,
     motion: Vec2,

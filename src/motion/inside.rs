@@ -2,7 +2,7 @@
 
 use super::Stuck;
 use super::body::{Body, kernel::Kernel};
-use super::cast::cast;
+use super::cast::cast_in;
 use super::run::check_inside;
 use crate::num::Raw;
 use crate::shape::Circle;
@@ -126,7 +126,7 @@ pub fn turn<W: World, B: Body + Pushable>(world: &W, body: &B, turned: &B) -> Re
     let mut part = 0;
     while let (Some(from), Some(to)) = (body.centre(part), free.centre(part)) {
         let point = Circle::from_raw_unchecked(from, 0);
-        if !matches!(cast(world, &point, to.sub(from).vec2(), Inside::Hit.into()), Ok(None)) {
+        if !matches!(cast_in(world, &point, to.sub(from).vec2(), Inside::Hit.into()), Ok(None)) {
             return Err(stuck);
         }
         part += 1;

@@ -202,6 +202,7 @@ mod ways;
 
 pub use body::Body;
 pub use cast::BodyHit;
+pub(crate) use cast::cast_in;
 pub use character::Character;
 pub use feel::{Feel, Input, OnLeave, Outcome, Step};
 pub use inside::{StartInside, escape, turn};
@@ -210,5 +211,6 @@ pub use moved::{Hit, Hits, MoveError, Moved, Stuck, Work};
 pub use mover::Mover;
 pub use response::{Acceleration, ByFlags, ByHit, Carry, Energy, Masses, Response, Responses, Smooth, Speed, Surface};
 pub use rider::MovingSolid;
+pub(crate) use run::first_place;
 pub use solids::{Ridden, Ride};
 pub use walk::{SlopeSpeed, Support, Walked, Walker};

@@ -150,9 +150,6 @@ impl<'m, B: Body> Run<'m, B> {
     /// integers, and rounding toward the integer start passes none.
     #[inline(never)]
     pub(super) fn place<W: World>(&mut self, world: &W, d: Raw, q: Raw, u: Raw) -> Raw {
-        // Corners: rounding away from one corner may graze another. Tries lattice neighbours toward
-        // the start, then aside, then two back.
-        const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
         if q.is_zero() {
             return q;
         }
@@ -165,26 +162,7 @@ impl<'m, B: Body> Run<'m, B> {
         if LONG && self.places(world, first, u) {
             return first;
         }
-        // In a gap that closes slowly, there is room only farther back. Positions there are on the
-        // motion's own line: the hit's is rounded away from one surface, which may be into another.
-        //
-        // The gap decides how far. A distance `s` before two corners as far apart as the body is
-        // wide, the body has `s^2 / rho` to spare: less than a raw unit over `sqrt rho`. So the
-        // search goes back to the start, in steps that double: 27 below 2^29, of seven positions
-        // each. Otherwise a way that is free for hundreds of raw units could lead nowhere.
-        let (mut back, mut tried) = (0, usize::from(LONG));
-        while back < way(q) {
-            let q = if back == 0 { q } else { part_of(d, way(q).wrapping_sub(back)) };
-            for (x, y) in STEPS.into_iter().skip(tried) {
-                let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
-                let q = on_the_way(q.add(step), d);
-                if self.places(world, q, u) {
-                    return q;
-                }
-            }
-            (back, tried) = ((back << 1).max(4), 0);
-        }
-        Raw::ZERO
+        first_place(q, d, usize::from(LONG), |q| self.places(world, q, u))
     }
 
     /// Moves by a displacement if there is room, and it is not against `u`. Each displacement is a
@@ -360,13 +338,43 @@ pub(super) fn is_free<B: Body>(around: &Around, body: &B) -> bool {
 /// Refuses a motion that would leave the domain.
 pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
     let (lo, hi) = (bounds.lo().add(d), bounds.hi().add(d));
-    for (what, low, high) in [(Quantity::X, lo.x, hi.x), (Quantity::Y, lo.y, hi.y)] {
-        let value = if d.x < 0 && what == Quantity::X || d.y < 0 && what == Quantity::Y { low } else { high };
+    for (what, low, high) in [(Quantity::EndX, lo.x, hi.x), (Quantity::EndY, lo.y, hi.y)] {
+        let value = if d.x < 0 && what == Quantity::EndX || d.y < 0 && what == Quantity::EndY { low } else { high };
         if low <= -DOMAIN || high >= DOMAIN {
             return Err(RangeError { what, value });
         }
     }
     Ok(())
+}
+
+/// The first displacement that `takes` accepts, at `q` or near it; otherwise zero. `q` is the
+/// displacement up to a hit of the motion `d`. The first `tried` positions are left out.
+///
+/// In a gap that closes slowly, there is room only farther back. Positions there are on the
+/// motion's own line: the hit's is rounded away from one surface, which may be into another.
+///
+/// The gap decides how far. A distance `s` before two corners as far apart as the body is wide, the
+/// body has `s^2 / rho` to spare: less than a raw unit over `sqrt rho`. So the search goes back to
+/// the start, in steps that double: 27 below 2^29, of seven positions each. Otherwise a way that is
+/// free for hundreds of raw units could lead nowhere.
+#[inline]
+pub(crate) fn first_place(q: Raw, d: Raw, mut tried: usize, mut takes: impl FnMut(Raw) -> bool) -> Raw {
+    // Corners: rounding away from one corner may graze another. Tries lattice neighbours toward the
+    // start, then aside, then two back.
+    const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
+    let mut back = 0;
+    while back < way(q) {
+        let q = if back == 0 { q } else { part_of(d, way(q).wrapping_sub(back)) };
+        for (x, y) in STEPS.into_iter().skip(tried) {
+            let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
+            let q = on_the_way(q.add(step), d);
+            if takes(q) {
+                return q;
+            }
+        }
+        (back, tried) = ((back << 1).max(4), 0);
+    }
+    Raw::ZERO
 }
 
 /// The part of a motion whose longest component is `far`, rounded toward zero.

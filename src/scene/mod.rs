@@ -231,8 +231,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Hitscan, explosions, cursors**: [`cast_ray`](Scene::cast_ray) and
-//! [`cast_shape`](Scene::cast_shape) find the first body on a line.
+//! **Hitscan, dashes, explosions, cursors**: [`cast_ray_in`](Scene::cast_ray_in) and
+//! [`cast_shape_in`](Scene::cast_shape_in) find what is first on a line: the level or a body.
+//! [`cast_ray`](Scene::cast_ray) and [`cast_shape`](Scene::cast_shape) look only at bodies.
 //! [`overlapping`](Scene::overlapping), [`touching`](Scene::touching) and
 //! [`at_point`](Scene::at_point) list the bodies at a position.
 //!
@@ -369,6 +370,7 @@ mod snapshot;
 mod step;
 #[cfg(feature = "serde")]
 mod stored;
+mod through_both;
 mod through_level;
 mod two_ways;
 mod velocities;
@@ -383,6 +385,7 @@ pub use reply::{Answer, Reply};
 pub use set::{Scene, Sleep, SortSweepScene};
 pub use shape::{Shape, WithCapsules};
 pub use snapshot::Snapshot;
+pub use through_both::{FirstHit, SceneCast};
 
 /// The tag of each body in the broad phase.
 pub type SceneTag = crate::broad::Keyed<crate::Filter>;

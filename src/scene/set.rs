@@ -238,8 +238,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// The broad phase: for nearest bodies and those in a region, by their boxes, and for the tags
-    /// of bodies (`still` marks those that rest or are fixed). [`cast_ray`](Self::cast_ray) and
-    /// [`overlapping`](Self::overlapping) ask about the shapes of bodies.
+    /// of bodies. [`cast_ray`](Self::cast_ray), [`overlapping`](Self::overlapping) and
+    /// [`at_point`](Self::at_point) ask about the shapes of bodies.
+    ///
+    /// The tag of a body is a [`Keyed`], and its field `tag` is the body's filter:
+    /// `|_, tag| tag.tag.layers.intersects(FOES)`. A filter with `still` marks a body that rests or
+    /// is fixed.
     #[must_use]
     pub const fn near(&self) -> &B {
         &self.near

@@ -180,6 +180,25 @@ macro_rules! shapes {
                 }
             }
 
+            /// The middle, as a target of a ray or a position to draw at. Half a raw unit is
+            /// rounded toward the smaller coordinate.
+            #[must_use]
+            #[doc(alias = "center")]
+            pub const fn centre(&self) -> Vec2 {
+                self.aabb().centre()
+            }
+
+            /// This shape moved by `by`.
+            ///
+            /// # Errors
+            /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).
+            #[inline]
+            pub fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
+                match self {
+                    $(Self::$shape(it) => it.translated(by).map(Self::$shape),)+
+                }
+            }
+
             /// Whether this shape overlaps a level. Strict and exact.
             ///
             /// ```
@@ -255,9 +274,7 @@ macro_rules! shapes {
 
             #[inline]
             fn translated(&self, by: Vec2) -> Result<Self, RangeError> {
-                match self {
-                    $(Self::$shape(it) => it.translated(by).map(Self::$shape),)+
-                }
+                self.translated(by)
             }
 
             #[inline]

@@ -206,7 +206,7 @@ fn a_refused_change_changes_nothing() {
     let error = scene.alter(handle, fast).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "body 0 (generation 1): MotionY is out of range: -4096 (-268435456 raw); shorten the motion, or begin it nearer to the origin"
+        "body 0 (generation 1): MotionY is out of range: -4096 (-268435456 raw); a motion must be less than 4096 units on each axis"
     );
     assert_eq!(format!("{scene:?}"), before);
     scene.remove(handle).unwrap();

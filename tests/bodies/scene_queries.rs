@@ -1,6 +1,7 @@
 //! Questions to a scene about its bodies, against all bodies one by one: the exact time of each
 //! hit, then the key, then the slot. Times and overlaps are judged by the exact sum of two shapes.
 
+use super::sums::{cast_time, floor, sum};
 use std::collections::BTreeSet;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, SortSweep, SpatialHash};
 use tilesat::scene::{BodyShape, SceneHit, SceneTag, Shape, WithCapsules};
@@ -9,10 +10,9 @@ use tilesat::{
     Aabb, Capsule, CastHit, Circle, Filter, Fx, Inside, LayerMask, Quantity, RangeError, Scene, SceneBody, TileKinds,
     TileMap, Vec2,
 };
-use tilesat_judge::casts::judge::{Forbidden, ONE};
-use tilesat_judge::convex::shape::hull;
+use tilesat_judge::casts::judge::ONE;
 use tilesat_judge::oracle::int256::Int256;
-use tilesat_judge::solids::shapes::{Any, Figure, mirrored_shape, plank};
+use tilesat_judge::solids::shapes::{Any, mirrored_shape, plank};
 use tilesat_judge::solids::{P, disc, raw, rect, vec2};
 use tilesat_judge::{Random, cases, enough};
 
@@ -65,31 +65,6 @@ impl Set for Any {
     fn ray(&self, o: Vec2, d: Vec2, inside: Inside) -> Option<CastHit> {
         self.cast_ray(o, d, inside).unwrap()
     }
-}
-
-fn sum(a: &Any, b: &Any) -> Forbidden {
-    let (a, b) = (Figure::of(a), Figure::of(b));
-    let all: Vec<P> = a.points.iter().flat_map(|p| b.points.iter().map(|q| (q.0 - p.0, q.1 - p.1))).collect();
-    Forbidden { hull: hull(&all), radius: a.radius + b.radius }
-}
-
-/// The last whole part of a motion up to which it has no point in the open set.
-fn floor(set: &Forbidden, d: P) -> i64 {
-    let (mut low, mut high) = (0, ONE + 1);
-    while high - low > 1 {
-        let middle = i64::midpoint(low, high);
-        if set.met::<Int256>(d, middle) { high = middle } else { low = middle }
-    }
-    low
-}
-
-/// The time of a cast.
-fn cast_time(a: &Any, b: &Any, d: P, inside: Inside) -> Option<i64> {
-    let set = sum(a, b);
-    if set.holds::<Int256>((0, 0)) {
-        return (inside == Inside::Hit).then_some(0);
-    }
-    set.met::<Int256>(d, ONE).then(|| floor(&set, d))
 }
 
 /// The time of a ray that hits. If it enters no inside (it meets a corner, or the very end), its
@@ -432,10 +407,10 @@ fn the_border_of_the_range() {
     assert!(scene.cast_ray(at, vec2((-1, -1)), Inside::Ignore, all).unwrap().is_some());
     assert!(scene.cast_ray(at, Vec2::ZERO, Inside::Hit, all).unwrap().is_none());
     let error = |what, value| Err(RangeError { what, value });
-    assert_eq!(scene.cast_ray(at, vec2((1, 0)), Inside::Hit, never), error(Quantity::MotionX, 1 << 29));
+    assert_eq!(scene.cast_ray(at, vec2((1, 0)), Inside::Hit, never), error(Quantity::EndX, 1 << 29));
     assert_eq!(scene.cast_ray(vec2((0, 1 << 29)), Vec2::ZERO, Inside::Hit, never), error(Quantity::Y, 1 << 29));
     let small = Circle::new(vec2((END - 4, 0)), Fx::from_bits(3)).unwrap();
-    assert_eq!(scene.cast_shape(&small, vec2((2, 0)), Inside::Hit, never), error(Quantity::MotionX, 1 << 29));
+    assert_eq!(scene.cast_shape(&small, vec2((2, 0)), Inside::Hit, never), error(Quantity::EndX, 1 << 29));
     let far = Vec2::from_raw(-1 << 28, 0);
     assert_eq!(scene.cast_shape(&small, far, Inside::Hit, never), error(Quantity::MotionX, -1 << 28));
     let mut found = Vec::new();

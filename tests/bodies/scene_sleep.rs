@@ -353,7 +353,7 @@ fn refusals_change_nothing() {
     assert!(fault.body.is_none() && format!("{small:?}") == before);
     assert_eq!(
         fault.to_string(),
-        "MotionX is out of range: 4096 (268435456 raw); shorten the motion, or begin it nearer to the origin"
+        "MotionX is out of range: 4096 (268435456 raw); a motion must be less than 4096 units on each axis"
     );
 }
 

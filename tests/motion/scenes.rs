@@ -156,10 +156,10 @@ fn what_is_out_of_range() {
     let end = (1 << 29) - 1;
     let near = Body::rect((end - px(100), 0), at(50, 50));
     assert_eq!(go(&level, Response::Slide, near, at(50, 0)).body, near.moved(at(50, 0)));
-    assert_eq!(refused(&level, near, (px(50) + 1, 0)), RangeError { what: Quantity::X, value: 1 << 29 });
+    assert_eq!(refused(&level, near, (px(50) + 1, 0)), RangeError { what: Quantity::EndX, value: 1 << 29 });
     let near = Body::disc((0, px(100) - end), px(50));
     assert_eq!(go(&level, Response::Slide, near, at(0, -50)).body, near.moved(at(0, -50)));
-    assert_eq!(refused(&level, near, (0, -px(50) - 1)), RangeError { what: Quantity::Y, value: -(1 << 29) });
+    assert_eq!(refused(&level, near, (0, -px(50) - 1)), RangeError { what: Quantity::EndY, value: -(1 << 29) });
 }
 
 /// One raw unit of way or of body more is a cell more: over cells of 2^8 raw on both axes, beyond

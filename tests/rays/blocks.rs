@@ -275,11 +275,11 @@ fn what_is_out_of_the_domain_is_refused() {
     let end = 1 << 29;
     assert_eq!(cast(raw(end, 0), Vec2::ZERO), error(Quantity::X, end));
     assert_eq!(cast(raw(0, -end), Vec2::ZERO), error(Quantity::Y, -end));
-    assert_eq!(cast(raw(1, 0), raw(end - 1, 0)), error(Quantity::MotionX, end));
-    assert_eq!(cast(raw(0, -1), raw(0, 1 - end)), error(Quantity::MotionY, -end));
+    assert_eq!(cast(raw(1, 0), raw(end - 1, 0)), error(Quantity::EndX, end));
+    assert_eq!(cast(raw(0, -1), raw(0, 1 - end)), error(Quantity::EndY, -end));
     for d in [i32::MIN, i32::MAX] {
-        assert_eq!(cast(raw(end - 1, 0), raw(d, 0)), error(Quantity::MotionX, d.saturating_add(end - 1)));
-        assert_eq!(cast(raw(1 - end, 0), raw(0, d)), error(Quantity::MotionY, d));
+        assert_eq!(cast(raw(end - 1, 0), raw(d, 0)), error(Quantity::EndX, d.saturating_add(end - 1)));
+        assert_eq!(cast(raw(1 - end, 0), raw(0, d)), error(Quantity::EndY, d));
     }
     assert!(map.cast_ray(raw(1 - end, 1 - end), raw(2 * end - 2, 2 * end - 2), Inside::Ignore).is_ok());
 }

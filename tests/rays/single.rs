@@ -214,7 +214,7 @@ fn refusals() {
     let far = Vec2::from_raw((1 << 29) - 1, 0);
     assert!(ball.cast_ray(far, -far - far, Inside::Ignore).unwrap().is_some()); // across the domain
     let over = ball.cast_ray(far, Vec2::from_raw(1, 0), Inside::Ignore);
-    assert_eq!(over, Err(RangeError { what: Quantity::MotionX, value: 1 << 29 }));
+    assert_eq!(over, Err(RangeError { what: Quantity::EndX, value: 1 << 29 }));
     let outside = ball.cast_ray(Vec2::from_raw(0, 1 << 29), Vec2::ZERO, Inside::Ignore);
     assert_eq!(outside, Err(RangeError { what: Quantity::Y, value: 1 << 29 }));
     for d in [i32::MIN, i32::MAX, -(1 << 30), 1 << 30] {

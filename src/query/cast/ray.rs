@@ -143,7 +143,7 @@ pub(in crate::query) fn checked(origin: Vec2, motion: Vec2) -> Result<(Raw, Raw)
     origin.check()?;
     let (o, d) = (Raw::of(origin), Raw::of(motion));
     let end = o.add(d);
-    for (what, value) in [(Quantity::MotionX, end.x), (Quantity::MotionY, end.y)] {
+    for (what, value) in [(Quantity::EndX, end.x), (Quantity::EndY, end.y)] {
         if value <= -DOMAIN || value >= DOMAIN {
             return Err(RangeError { what, value });
         }

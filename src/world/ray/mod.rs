@@ -132,9 +132,9 @@ pub(in crate::world) const fn refusal(o: Raw, d: Raw) -> RangeError {
     } else if !in_domain(o.y) {
         RangeError { what: Quantity::Y, value: o.y }
     } else if !in_domain(o.x.wrapping_add(d.x)) {
-        RangeError { what: Quantity::MotionX, value: o.x.saturating_add(d.x) }
+        RangeError { what: Quantity::EndX, value: o.x.saturating_add(d.x) }
     } else {
-        RangeError { what: Quantity::MotionY, value: o.y.saturating_add(d.y) }
+        RangeError { what: Quantity::EndY, value: o.y.saturating_add(d.y) }
     }
 }
 

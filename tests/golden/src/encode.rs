@@ -111,6 +111,8 @@ fn quantity(what: Quantity) -> u32 {
         Quantity::Assist => 15,
         Quantity::Capsule => 16,
         Quantity::Area => 17,
+        Quantity::EndX => 18,
+        Quantity::EndY => 19,
         _ => 0,
     }
 }

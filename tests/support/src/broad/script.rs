@@ -383,7 +383,7 @@ impl Play {
             Toi::ONE
         });
         if !rect.moved(d).in_domain() {
-            assert!(matches!(told, Err(RangeError { what: Quantity::MotionX | Quantity::MotionY, .. })));
+            assert!(matches!(told, Err(RangeError { what: Quantity::EndX | Quantity::EndY, .. })));
             assert!(seen.is_empty());
             return;
         }
