@@ -44,7 +44,8 @@ pub enum SceneEvent<'a> {
         /// it how hard each hit was.
         velocity: Vec2,
     },
-    /// A body could not be moved. It stays where it was, and has no velocity any more.
+    /// A body could not be moved: it overlaps the level, its motion is too long, or it would leave
+    /// the domain or the broad phase. It stays where it was, and has no velocity any more.
     Held(SceneError),
 }
 

@@ -15,6 +15,7 @@ use crate::world::{RayHit, RayRules, RayWorld, World};
 ///
 /// `L` is the hit of the level: [`RayHit`] for rays, [`Hit`] for shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FirstHit<L> {
     /// The level.
     Level(L),
@@ -73,6 +74,7 @@ impl FirstHit<RayHit> {
 
 /// The first hit of a shape that moves through a level and among bodies, and how far it may move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SceneCast {
     /// What it hits first.
     pub first: FirstHit<Hit>,

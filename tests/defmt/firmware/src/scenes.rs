@@ -2,7 +2,9 @@
 
 use crate::tell;
 use tilesat::broad::BruteForce;
-use tilesat::scene::{Reply, SceneBody, SceneEvent, SceneFault, SceneTag, Shape, Sleep, WithCapsules};
+use tilesat::scene::{
+    FirstHit, Reply, SceneBody, SceneCast, SceneEvent, SceneFault, SceneTag, Shape, Sleep, WithCapsules,
+};
 use tilesat::{Aabb, Capsule, Circle, Fx, Inside, Scene, TileKind, TileKinds, TileMap, Vec2};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));
@@ -18,7 +20,11 @@ pub(crate) fn tell_all() {
     let handle = scene.insert(&chest).unwrap();
     tell(&Sleep::default());
     let (from, by) = (Vec2::from_ints(0, 25), Vec2::from_ints(40, 0));
-    tell(&scene.cast_ray(from, by, Inside::Hit, |_, _| true).unwrap().unwrap());
+    let hit = scene.cast_ray(from, by, Inside::Hit, |_, _| true).unwrap().unwrap();
+    tell(&hit);
+    let cast = SceneCast { first: FirstHit::Body(hit), displacement: by, inside: false };
+    tell(&cast.first);
+    tell(&cast);
     tell(&Reply::Cross);
     tell(&tilesat::world::Trail::default());
     let mut told = 0;
