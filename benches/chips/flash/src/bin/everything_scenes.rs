@@ -6,7 +6,7 @@ use tilesat::prelude::*;
 use tilesat::scene::SceneFault;
 use tilesat::scene::{Reply, SceneEvent, SceneTag, Shape, Sleep, Snapshot, WithCapsules};
 use tilesat::shape::AnyShape;
-use tilesat::world::{AllShapes, ConvexSolid, ConvexSolids, Joined, SegmentMap, Solids, TileMap, Trail};
+use tilesat::world::{AllShapes, ConvexSolid, ConvexSolids, Joined, RayRules, SegmentMap, Solids, TileMap, Trail};
 use tilesat::{Aabb, Capsule, Circle, Fx, Inside, OrientedBox, Scene, SceneBody, Solid, Vec2};
 use tilesat_flash::keep;
 
@@ -43,6 +43,12 @@ macro_rules! scenes {
             };
             |s: &Scene<$near, $n>, a: &Shape, d: Vec2, inside: Inside, wanted: fn(Handle, &SceneBody) -> bool| {
                 s.cast_shape(a, d, inside, wanted)
+            };
+            |s: &Scene<$near, $n>, l: &TileMap<'_>, o: Vec2, d: Vec2, rules: RayRules| {
+                s.cast_ray_in(l, o, d, rules, |_, _| true)
+            };
+            |s: &Scene<$near, $n>, l: &TileMap<'_>, a: &Shape, d: Vec2, rules: RayRules| {
+                s.cast_shape_in(l, *a, d, rules, |_, _| true)
             };
             |s: &Scene<$near, $n>, a: &Shape, each: fn(Handle, &SceneBody)| s.overlapping(a, each);
             |s: &Scene<$near, $n>, a: &Circle, each: fn(Handle, &SceneBody)| s.touching(a, each);
@@ -110,6 +116,9 @@ fn sets() {
         |s: &Pills, o: Vec2, d: Vec2, inside: Inside| s.cast_ray(o, d, inside, |_, _| true);
         |s: &Pills, a: &Capsule, d: Vec2, inside: Inside| s.cast_shape(a, d, inside, |_, _| true);
         |s: &Pills, a: &OrientedBox, each: fn(Handle, &SceneBody<WithCapsules>)| s.overlapping(a, each);
+        |s: &Pills, l: &Doors<'_>, o: Vec2, d: Vec2, inside: Inside| s.cast_ray_in(l, o, d, inside, |_, _| true);
+        |s: &Pills, l: &Doors<'_>, a: &WithCapsules, d: Vec2| s.cast_shape_in(l, *a, d, Inside::Ignore, |_, _| true);
+        |s: &Any, l: &SegmentMap<'_>, a: &AnyShape<6>, d: Vec2| s.cast_shape_in(l, *a, d, Inside::Hit, |_, _| true);
         |s: &Any, o: Vec2, d: Vec2, inside: Inside| s.cast_ray(o, d, inside, |_, _| true);
         |s: &Any, a: &AnyShape<6>, d: Vec2, inside: Inside| s.cast_shape(a, d, inside, |_, _| true);
         |s: &Any, a: &AnyShape<6>, each: fn(Handle, &SceneBody<AnyShape<6>>)| s.touching(a, each);

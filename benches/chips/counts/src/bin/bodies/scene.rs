@@ -23,7 +23,7 @@ pub fn rows(table: &mut Table, scene: &mut Bodies<0>) {
 
 fn steps(table: &mut Table, scene: &mut Bodies<0>, map: &Map) -> Option<()> {
     row(table, "64 bodies awake, step", Some((350_000, 0)), scene, map, |s| usize::from(s.moved) == BODIES)?;
-    queries::rows(table, scene);
+    queries::rows(table, scene, map);
     // Until most of them lie on the level or on each other.
     for _ in 0..300 {
         scene.step(map, GRAVITY, |_| {}).ok()?;
