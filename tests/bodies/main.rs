@@ -35,6 +35,7 @@ mod scene_snapshot;
 mod scene_solids;
 mod scripts;
 mod sort_sweep;
+mod steps;
 mod sums;
 mod swept;
 mod swept_pairs;

@@ -1,5 +1,6 @@
 //! The level for a body of a scene: responses by flags, a level per body, and the speed of a hit.
 
+use super::steps::step_in;
 use super::swept::{ball, body_of, boxed, scene, vec2};
 use tilesat::motion::{Response, Responses};
 use tilesat::scene::{SceneBody, SceneEvent, Shape};
@@ -148,7 +149,7 @@ fn ghosts_pass_curtains() {
             let body = SceneBody { velocity: Vec2::from_ints(speed, 0), ..body };
             let mut scene = scene(&[body, neighbour(&body)]);
             let level_of = |body: &SceneBody| if body.key == 1 { &ghosts } else { &level };
-            scene.step_in(level_of, Vec2::ZERO, |_| true, |_| ()).unwrap();
+            step_in(&mut scene, &level_of, Vec2::ZERO, true);
             let at = body_of(&scene, key).shape.position();
             assert_eq!(at, Vec2::from_ints(x, 16), "{speed} {fast} {key}");
         }
@@ -177,7 +178,7 @@ fn each_body_sees_its_level() {
         let (mut a, mut b) = (scene(&bodies), scene(&bodies));
         for _ in 0..20 {
             let one = a.step(&level, gravity, |_| ()).unwrap();
-            assert_eq!(one, b.step_in(|_| &level, gravity, |_| true, |_| ()).unwrap());
+            assert_eq!(one, step_in(&mut b, &|_| &level, gravity, true));
             assert_eq!(a.snapshot(), b.snapshot());
             same += 1;
         }
@@ -187,7 +188,7 @@ fn each_body_sees_its_level() {
         let mut alone: Vec<_> = bodies.iter().map(|body| scene(std::slice::from_ref(body))).collect();
         for _ in 0..20 {
             // Bodies that meet nobody: no pair counts.
-            both.step_in(level_of, gravity, |_| false, |_| ()).unwrap();
+            step_in(&mut both, &level_of, gravity, false);
             for (alone, body) in alone.iter_mut().zip(&bodies) {
                 alone.step(level_of(body), gravity, |_| ()).unwrap();
                 assert_eq!(body_of(alone, body.key), body_of(&both, body.key));
@@ -225,7 +226,7 @@ fn each_way_is_told() {
         let (mut plain, mut told) = (scene(&bodies), scene(&bodies));
         for _ in 0..40 {
             let mut at: Vec<_> = told.bodies().map(|(handle, body)| (handle, *body, 0)).collect();
-            let stepped = plain.step_in(level_of, gravity, |_| true, |_| ()).unwrap();
+            let stepped = step_in(&mut plain, &level_of, gravity, true);
             let passed = |handle, shape: &Shape, trail: &Trail| {
                 let it = at.iter_mut().find(|(other, ..)| *other == handle).unwrap();
                 assert_eq!(*shape, it.1.shape, "a way begins elsewhere");

@@ -12,11 +12,16 @@ use tilesat::{
 };
 use tilesat_judge::casts::judge::ONE;
 use tilesat_judge::oracle::int256::Int256;
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::solids::shapes::{Any, mirrored_shape, plank};
 use tilesat_judge::solids::{P, disc, raw, rect, vec2};
 use tilesat_judge::{Random, cases, enough};
 
-const N: usize = 10;
+/// Bodies of a random scene. Only its own scene takes steps: each kind of scene that does compiles
+/// a step.
+const CROWD: u32 = 10;
+/// The capacity of most tests, whose steps are compiled anyway.
+const N: usize = BODIES;
 type Near = SortSweep<N, SceneTag>;
 type Bodies<B, S> = Scene<B, N, 0, S>;
 
@@ -98,11 +103,20 @@ fn shape(r: &mut Random, unit: i64, kinds: i64) -> Any {
     }
 }
 
+/// Bodies in the order of their slots.
+fn filled<B: BroadPhase<Tag = SceneTag>, S: Set>(near: B, bodies: &[SceneBody<S>]) -> Bodies<B, S> {
+    let mut scene = Bodies::<B, S>::new(near);
+    for body in bodies {
+        scene.insert(body).unwrap();
+    }
+    scene
+}
+
 /// All that a game does with a scene: some bodies are fixed, some sleep, some have moved, were
 /// placed, or have the slot of another one that was removed.
-fn play<B: BroadPhase<Tag = SceneTag>, S: Set>(near: B, bodies: &[(SceneBody<S>, S)], gone: usize) -> Bodies<B, S> {
+fn play<S: Set>(bodies: &[(SceneBody<S>, S)], gone: usize) -> Bodies<Near, S> {
     let level = TileMap::from_ascii(".", &TileKinds::EMPTY).unwrap();
-    let mut scene = Bodies::<B, S>::new(near);
+    let mut scene = Bodies::<Near, S>::new(Near::new());
     let mut handles: Vec<_> = bodies[..gone].iter().map(|(body, _)| scene.insert(body).unwrap()).collect();
     for old in handles.drain(..).rev() {
         scene.remove(old).unwrap();
@@ -226,7 +240,7 @@ fn random_scenes<S: Set>(kinds: i64, seed: u64) {
                 return shape;
             }
         };
-        let count = r.within(1, N as i64) as u32;
+        let count = r.within(1, CROWD.into()) as u32;
         let body = |key, r: &mut Random| {
             let velocity =
                 if r.one_in(3) { vec2((r.around(unit / 64 + 1), r.around(unit / 64 + 1))) } else { Vec2::ZERO };
@@ -238,23 +252,22 @@ fn random_scenes<S: Set>(kinds: i64, seed: u64) {
         };
         let mut bodies: Vec<_> = (0..count).map(|key| body(key, &mut r)).collect();
         let gone = r.below(i64::from(count) + 1) as usize;
-        let scene = play(Near::new(), &bodies, gone);
+        let scene = play(&bodies, gone);
         let state: Vec<_> = scene.bodies().map(|(_, body)| *body).collect();
         // The same bodies, in another order and on other broad phases, and in a mirror.
         r.shuffle(&mut bodies);
         let now = |of: &dyn Fn(&Any) -> Any| -> Vec<_> {
             let it = |(body, _): &(SceneBody<S>, S)| {
                 let shape = state.iter().find(|b| b.key == body.key).unwrap().shape;
-                let shape = S::of(&of(&shape.any())).unwrap();
-                (SceneBody { shape, ..*body }, shape)
+                SceneBody { shape: S::of(&of(&shape.any())).unwrap(), ..*body }
             };
             bodies.iter().map(it).collect()
         };
-        let (same, mirror) = (now(&|any| *any), play(Near::new(), &now(&mirrored_shape), 0));
+        let (same, mirror) = (now(&|any| *any), filled(Near::new(), &now(&mirrored_shape)));
         let cell = Fx::from_bits((4 * unit).max(4) as i32);
-        let brute = play(BruteForce::<N, SceneTag>::new(), &same, 0);
-        let grid = play(LooseGrid::<24, N, SceneTag, true>::new(Vec2::ZERO, cell, 32).unwrap(), &same, 0);
-        let hash = play(SpatialHash::<64, N, SceneTag, true>::new(cell).unwrap(), &same, 0);
+        let brute = filled(BruteForce::<N, SceneTag>::new(), &same);
+        let grid = filled(LooseGrid::<24, N, SceneTag, true>::new(Vec2::ZERO, cell, 32).unwrap(), &same);
+        let hash = filled(SpatialHash::<64, N, SceneTag, true>::new(cell).unwrap(), &same);
         for _ in 0..12 {
             let jitter = |r: &mut Random| if r.one_in(3) { r.around(2) } else { 0 };
             let o = (r.around(12) * unit + jitter(&mut r), r.around(12) * unit + jitter(&mut r));
@@ -297,14 +310,6 @@ fn any_shapes() {
     random_scenes::<Any>(4, 3);
 }
 
-fn filled(bodies: &[SceneBody]) -> Bodies<Near, Shape> {
-    let mut scene = Bodies::new(Near::new());
-    for body in bodies {
-        scene.insert(body).unwrap();
-    }
-    scene
-}
-
 /// A box and another one three units to the right of it, as one shape.
 fn pair_of_boxes(scene: &Bodies<Near, Shape>, q: &Question<Shape>, [a, b]: &[(Answer, Answer, [Vec<u32>; 3]); 2]) {
     let second = q.body.aabb().translated(vec2((3 * raw(q.body.aabb().size()).0, 0))).unwrap();
@@ -330,7 +335,7 @@ fn every_question_of_a_lattice() {
     let bodies: [Shape; 3] =
         [rect(p(0, 0), p(1, 2)).into(), disc(p(2, 1), UNIT).into(), rect(p(-1, -1), p(1, 0)).into()];
     let bodies = [2, 0, 1].map(|i| SceneBody::new(bodies[i], [9, 4, 6][i]));
-    let scene = filled(&bodies);
+    let scene = filled(Near::new(), &bodies);
     let square = |n: i64| (-n..=n).flat_map(move |x| (-n..=n).map(move |y| (x, y)));
     let mut seen = Seen::default();
     for o in square(2) {
@@ -360,7 +365,7 @@ fn a_bound_is_not_a_time() {
         let x = (i64::from(hit.toi.raw()) * reach + ONE - 1) / ONE;
         let wall = rect((x, -(1 << 12)), (x + 1, 1 << 12));
         let bodies = [SceneBody::new(ball, 2), SceneBody::new(wall, 1)];
-        let scene = filled(&bodies);
+        let scene = filled(Near::new(), &bodies);
         let q = Question { body: rect((-8, -8), (-4, -4)).into(), o: (0, 0), d, inside: Inside::Hit, mask: !0 };
         judge(&bodies, &q, &ask(&scene, &q), &mut seen);
     }

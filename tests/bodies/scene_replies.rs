@@ -1,6 +1,7 @@
 //! What the game replies for a pair: crossing and ignoring change no way, the others are what
 //! surfaces would do, and all that is crossed is reported.
 
+use super::steps::{Swept, step_with};
 use super::swept::{NOWHERE, PX, ball, body_of, boxed, launch, level, scene, vec2};
 use core::num::NonZeroU8;
 use tilesat::prelude::*;
@@ -33,7 +34,7 @@ fn any_surface(r: &mut Random) -> Surface {
 type Seen = Vec<(SceneBody, bool)>;
 
 /// All that is there after a step, by key.
-fn seen(scene: &super::swept::Swept) -> Seen {
+fn seen(scene: &Swept) -> Seen {
     let mut seen: Seen = scene.bodies().map(|(handle, body)| (*body, scene.is_awake(handle).unwrap())).collect();
     seen.sort_by_key(|body| body.0.key);
     seen
@@ -43,7 +44,7 @@ fn play(
     bodies: &[SceneBody],
     map: &TileMap<'_>,
     gravity: Vec2,
-    reply: impl Fn() -> Reply,
+    reply: Reply,
     mut each: impl FnMut(&Seen, &[(u32, u32, bool)]),
 ) -> Vec<Seen> {
     let mut scene = scene(bodies);
@@ -52,18 +53,12 @@ fn play(
             let mut events = Vec::new();
             let before = seen(&scene);
             let key = |handle: tilesat::broad::Handle| bodies[handle.slot()].key;
-            scene
-                .step_with(
-                    map,
-                    gravity,
-                    |_| reply(),
-                    |event| match event {
-                        SceneEvent::Touch { pair, .. } => events.push((key(pair.a), key(pair.b), true)),
-                        SceneEvent::Meet { pair, .. } => events.push((key(pair.a), key(pair.b), false)),
-                        _ => {}
-                    },
-                )
-                .unwrap();
+            step_with(&mut scene, map, gravity, &mut |_| reply, &mut |event| match event {
+                SceneEvent::Touch { pair, .. } => events.push((key(pair.a), key(pair.b), true)),
+                SceneEvent::Meet { pair, .. } => events.push((key(pair.a), key(pair.b), false)),
+                _ => {}
+            })
+            .unwrap();
             events.sort_unstable();
             each(&before, &events);
             seen(&scene)
@@ -89,33 +84,27 @@ fn crossing_changes_no_way_and_reports_all() {
             let strip = |(body, awake): (SceneBody, bool)| (SceneBody { filter: Filter::default(), ..body }, awake);
             all.into_iter().map(|seen| seen.into_iter().map(strip).collect()).collect()
         };
-        let free = strip(play(&apart, &map, gravity, || Reply::Meet, |_, events| assert!(events.is_empty())));
-        let ignored = play(&bodies, &map, gravity, || Reply::Ignore, |_, events| assert!(events.is_empty()));
+        let free = strip(play(&apart, &map, gravity, Reply::Meet, |_, events| assert!(events.is_empty())));
+        let ignored = play(&bodies, &map, gravity, Reply::Ignore, |_, events| assert!(events.is_empty()));
         assert_eq!(strip(ignored), free, "{case}: ignored");
-        let crossed = play(
-            &bodies,
-            &map,
-            gravity,
-            || Reply::Cross,
-            |before, events| {
-                for (k, (a, awake_a)) in before.iter().enumerate() {
-                    for (b, awake_b) in &before[k + 1..] {
-                        let moves = [(a, awake_a), (b, awake_b)].iter().any(|(_, awake)| **awake);
-                        let due = moves && a.shape.touches(&b.shape);
-                        assert_eq!(events.contains(&(a.key, b.key, true)), due, "{case}: {a:?} {b:?}");
-                        touched += u32::from(due);
-                        let told = events.iter().filter(|event| **event == (a.key, b.key, false)).count();
-                        match meets(a, *awake_a, b, *awake_b, gravity) {
-                            Some(due) => {
-                                assert_eq!(told, usize::from(due), "{case}: {a:?} {b:?}");
-                                met += u32::from(due);
-                            }
-                            None => near += 1,
+        let crossed = play(&bodies, &map, gravity, Reply::Cross, |before, events| {
+            for (k, (a, awake_a)) in before.iter().enumerate() {
+                for (b, awake_b) in &before[k + 1..] {
+                    let moves = [(a, awake_a), (b, awake_b)].iter().any(|(_, awake)| **awake);
+                    let due = moves && a.shape.touches(&b.shape);
+                    assert_eq!(events.contains(&(a.key, b.key, true)), due, "{case}: {a:?} {b:?}");
+                    touched += u32::from(due);
+                    let told = events.iter().filter(|event| **event == (a.key, b.key, false)).count();
+                    match meets(a, *awake_a, b, *awake_b, gravity) {
+                        Some(due) => {
+                            assert_eq!(told, usize::from(due), "{case}: {a:?} {b:?}");
+                            met += u32::from(due);
                         }
+                        None => near += 1,
                     }
                 }
-            },
-        );
+            }
+        });
         assert_eq!(strip(crossed), free, "{case}: crossed");
     }
     println!("{touched} touched, {met} met, {near} too near to tell");
@@ -231,8 +220,8 @@ fn replies_are_surfaces() {
                 let strip = |(body, awake): (SceneBody, bool)| (SceneBody { surface: Surface::SLICK, ..body }, awake);
                 all.into_iter().map(|seen| seen.into_iter().map(strip).collect()).collect()
             };
-            let by_reply = strip(play(&one, &map, gravity, || reply, |_, events| hits += events.len()));
-            let by_surface = strip(play(&other, &map, gravity, || Reply::Meet, |_, _| {}));
+            let by_reply = strip(play(&one, &map, gravity, reply, |_, events| hits += events.len()));
+            let by_surface = strip(play(&other, &map, gravity, Reply::Meet, |_, _| {}));
             assert_eq!(by_reply, by_surface, "{case}: {reply:?}");
         }
     }
@@ -262,16 +251,11 @@ fn touching_makes_two_one() {
             .collect();
         let mut pair = scene(&bodies);
         let mut touches = false;
-        pair.step_with(
-            &map,
-            Vec2::ZERO,
-            |_| Reply::Touch,
-            |event| {
-                if let SceneEvent::Touch { contact: Some(contact), .. } = event {
-                    touches = contact.axis().dot_vec(velocities[0] - velocities[1]) > 0;
-                }
-            },
-        )
+        step_with(&mut pair, &map, Vec2::ZERO, &mut |_| Reply::Touch, &mut |event| {
+            if let SceneEvent::Touch { contact: Some(contact), .. } = event {
+                touches = contact.axis().dot_vec(velocities[0] - velocities[1]) > 0;
+            }
+        })
         .unwrap();
         let after = [body_of(&pair, 0).velocity.raw(), body_of(&pair, 1).velocity.raw()];
         if !touches {

@@ -24,7 +24,7 @@ const ROOM: &str = "\
 ";
 const GRAVITY: Vec2 = Vec2::from_raw(0, 6554);
 
-type Bodies = Scene<SortSweep<64, SceneTag>, 64>;
+type Bodies = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 fn room(rows: &str) -> TileMap<'_> {
     TileMap::from_ascii(rows, &KINDS).unwrap()

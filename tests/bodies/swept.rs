@@ -1,8 +1,9 @@
 //! Fast bodies pass through nothing: corridors, and rooms that nobody leaves. Raw, y down.
 
+use super::steps::{Swept, step_with};
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadPhase, BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash};
-use tilesat::scene::{SceneBody, SceneEvent, SceneTag, Shape, Sleep, Stepped};
+use tilesat::scene::{Reply, SceneBody, SceneEvent, SceneTag, Shape, Sleep, Stepped};
 use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Toi, Vec2};
 use tilesat_judge::scenes::BODIES;
 use tilesat_judge::{Random, cases};
@@ -35,8 +36,6 @@ pub(super) fn boxed(x: i64, y: i64, w: i64, h: i64) -> Aabb {
 pub(super) fn ball(x: i64, y: i64, r: i64) -> Circle {
     Circle::new(vec2(x, y), Fx::from_bits(r as i32)).unwrap()
 }
-
-pub(super) type Swept = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 pub(super) fn scene(bodies: &[SceneBody]) -> Swept {
     filled(SortSweep::new(), bodies.iter())
@@ -438,7 +437,7 @@ fn what_is_refused_is_passed() {
     let bullet = SceneBody { velocity: vec2(500 * PX, 0), floats: true, ..SceneBody::new(ball(0, 0, 2 * PX), 9) };
     let wall = SceneBody::fixed(boxed(100 * PX, -20 * PX, PX, 40 * PX), 1);
     let mut refused = scene(&[wall, bullet]);
-    refused.step_with(&map, Vec2::ZERO, |_| false, |event| panic!("{event:?}")).unwrap();
+    step_with(&mut refused, &map, Vec2::ZERO, &mut |_| Reply::Ignore, &mut |event| panic!("{event:?}")).unwrap();
     assert_eq!(body_of(&refused, 9).shape.position().x, 500);
     let ghost = tilesat::Filter::new(tilesat::LayerMask::layer(1), tilesat::LayerMask::layer(1));
     let mut filtered = scene(&[
