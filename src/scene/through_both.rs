@@ -103,8 +103,8 @@ pub struct SceneCast {
     /// overlap what the shape overlapped at the start.
     pub displacement: Vec2,
     /// Whether it overlapped what it hits before the motion; only with
-    /// [`Inside::Hit`](crate::Inside::Hit). If it also touches the level and moves into it, that hit
-    /// at 0 is reported instead.
+    /// [`Inside::Hit`](crate::Inside::Hit). If it also touches the level and moves into it, that
+    /// hit at 0 is reported instead.
     pub inside: bool,
 }
 
@@ -126,8 +126,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// It is the earlier one of the level's [`cast_ray`](RayWorld::cast_ray) and of the scene's
     /// own [`cast_ray`](Self::cast_ray), which explain their rules. At the same time (in parts of
-    /// 2^30) the level comes first. The [time](RayHit::toi) of a level's arc may be early by up to a
-    /// raw unit, so an arc just behind a body can be reported in its place.
+    /// 2^30) the level comes first. The [time](RayHit::toi) of a level's arc may be early by up to
+    /// a raw unit, so an arc just behind a body can be reported in its place.
     ///
     /// Sensors count, too: leave them out by `!body.filter.sensor()`.
     ///
@@ -175,12 +175,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// For a dash or a thrown body: add [`displacement`](SceneCast::displacement). Nothing slides,
     /// and a motion along a slanted wall that the shape touches may hit it at 0 by rounding. The
-    /// shape is one that a body of the scene can have. Its own body and sensors count, so leave them
-    /// out. `wanted` must give the same answer for a body each time.
+    /// shape is one that a body of the scene can have. Its own body and sensors count, so leave
+    /// them out. `wanted` must give the same answer for a body each time.
     ///
     /// After a step two bodies may overlap a little. With [`Inside::Hit`](crate::Inside::Hit) the
-    /// shape then cannot move at all. With [`Inside::Ignore`](crate::Inside::Ignore) it leaves them,
-    /// and may end in one of them; the next step parts them.
+    /// shape then cannot move at all. With [`Inside::Ignore`](crate::Inside::Ignore) it leaves
+    /// them, and may end in one of them; the next step parts them.
     ///
     /// The first hit is the earlier one of the level's
     /// [`cast_shape`](crate::TileMap::cast_shape) and of the scene's own

@@ -8,6 +8,7 @@ use tilesat::scene::{SceneBody, SceneError, SceneEvent, SceneFault, SceneTag, Sh
 use tilesat::{
     Aabb, Circle, Filter, Fx, LayerMask, MoveError, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2,
 };
+use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// Cells of 16: the floor is at y = 128.
