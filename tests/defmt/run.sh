@@ -7,8 +7,8 @@
 #                     with the feature and without: they must have the same functions, and the
 #                     same constants and statics of the same sizes
 #   run.sh --accept   the same, and the decoded output becomes expected.txt
-#   run.sh --short    only on the M0, and with a game in place of the program that has every function
-#                     of scenes: 60 s of a core less
+#   run.sh --short    only on the M0, and with a game in place of the program that has every
+#                     function of scenes: 60 s of a core less
 #
 # Exit 0: all is well. 1: a line differs or is missing, or the feature costs something. 3: no
 # emulator is available.
