@@ -232,17 +232,17 @@ fi
 export QEMU_SECONDS=${QEMU_SECONDS:-600}
 # run_on TARGET BIN [BOARD]: runs a counting firmware, on another board if one is named.
 run_on() {
-    "$root/.ci/qemu.sh" "${3:-$1}" "$out/$1/release/$2"
+    "$root/.ci/qemu.sh" "${3:-$1}" "$out/$1/counted/$2"
 }
 # build_counts "TARGET..." PROGRAM...: builds for all targets at once, so that no core of this
 # computer waits for the last program of a target. `profile=NAME` before it takes another profile
-# than release.
+# than `counted`.
 build_counts() {
     local targets
     read -ra targets <<<"$1"
     shift
     echo "building the counting firmwares $* for ${targets[*]}" >&2
-    cargo build --quiet --profile "${profile:-release}" --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
+    cargo build --quiet --profile "${profile:-counted}" --package tilesat-counts --features chip "${targets[@]/#/--target=}" "${@/#/--bin=}"
 }
 # Crowds do not fit the micro:bit. The M3's board runs the code of both cores.
 run_crowds() { run_on "$1" crowds thumbv7m-none-eabi; }
@@ -266,8 +266,8 @@ fi
 model=''
 find_plugin() {
     local told
-    cargo build --quiet --release --package tilesat-cycles
-    model="-plugin $out/release/libtilesat_cycles.so -d plugin"
+    cargo build --quiet --profile unlinked --package tilesat-cycles
+    model="-plugin $out/unlinked/libtilesat_cycles.so -d plugin"
     told=$(QEMU_OPTIONS=$model run_on thumbv6m-none-eabi pairs 2>&1 | grep -c '^instructions [0-9]* cycles [0-9]*$') || true
     if ((!told)); then
         model=''

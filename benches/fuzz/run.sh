@@ -141,7 +141,7 @@ keep() {
 replay() {
     # Uses the test profile: it checks overflow and every assertion. The other example turns on the
     # features of the tests, so that cargo takes what the tests have built.
-    cargo build --quiet --profile test --package tilesat --package tilesat-fuzz --example replay --example hero
+    cargo build --quiet --profile test --package tilesat --package tilesat-examples --package tilesat-fuzz --example replay --example hero
     "${CARGO_TARGET_DIR:-../../target}/debug/examples/replay" --random "$random" "${targets[@]}"
 }
 

@@ -94,16 +94,16 @@ cores=(m0:thumbv6m-none-eabi m4f:thumbv7em-none-eabihf)
 count_on() {
     local board=$1
     [[ $1 == thumbv6m-* && $2 =~ ^(moves|broad)$ ]] && board=thumbv7m-none-eabi
-    cargo build --quiet --release --package tilesat-precision-counts --features chip --bin "$2" --target "$1"
-    QEMU_SECONDS=1200 "$root/.ci/qemu.sh" "$board" "$target/$1/release/$2"
+    cargo build --quiet --profile counted --package tilesat-precision-counts --features chip --bin "$2" --target "$1"
+    QEMU_SECONDS=1200 "$root/.ci/qemu.sh" "$board" "$target/$1/counted/$2"
 }
 
 # Building of segment maps. 10 000 segments need the board of the Cortex-M3, which runs code for the
 # M0, and they need no inputs.
 chains() {
-    cargo build --quiet --release --package tilesat-precision-counts --features chip --bin chains \
+    cargo build --quiet --profile counted --package tilesat-precision-counts --features chip --bin chains \
         --target thumbv6m-none-eabi
-    "$root/.ci/qemu.sh" thumbv7m-none-eabi "$target/thumbv6m-none-eabi/release/chains" >"$work/chains.txt"
+    "$root/.ci/qemu.sh" thumbv7m-none-eabi "$target/thumbv6m-none-eabi/counted/chains" >"$work/chains.txt"
     "$bench" add m0 "$work/chains.txt" --out "$out"
 }
 

@@ -29,7 +29,7 @@ export RUSTC_WRAPPER=$PWD/.ci/rustc.sh
 
 source $here/keys.sh
 game() {
-    RUSTC_BOOTSTRAP=1 cargo run --quiet --release --package tilesat-gba --features console -Zbuild-std=core --target "$1" --bin game -- --keys "$2" "${@:3}"
+    RUSTC_BOOTSTRAP=1 cargo run --quiet --profile counted --package tilesat-gba --features console -Zbuild-std=core --target "$1" --bin game -- --keys "$2" "${@:3}"
 }
 
 # stale TARGET: the patterns of its list that put nothing into fast RAM. Without this check the
@@ -37,7 +37,7 @@ game() {
 stale() {
     local list=$here/hot/${1%%v4t*}/hot.x sections pattern
     # The name of a section is that of its function or constant, after ".text." or ".rodata.".
-    sections=$("$(rustc --print target-libdir)/../bin/llvm-nm" "$out/$1/release/game" |
+    sections=$("$(rustc --print target-libdir)/../bin/llvm-nm" "$out/$1/counted/game" |
         awk '$1 ~ /^03/ { print ".text." $NF; print ".rodata." $NF }')
     grep -o '\.\(text\|rodata\)\.[^ )]*' "$list" | while read -r pattern; do
         grep -qx -- "${pattern//\*/.*}" <<<"$sections" || echo "$list: $pattern is in no name of fast RAM"

@@ -18,10 +18,10 @@ source examples/gba/keys.sh
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/profile
 mkdir -p "$CARGO_TARGET_DIR"
 export RUSTC_WRAPPER=$PWD/.ci/rustc.sh GBA_SECONDS=600
-RUSTC_BOOTSTRAP=1 cargo run --quiet --release --package tilesat-gba --features console,profile -Zbuild-std=core \
+RUSTC_BOOTSTRAP=1 cargo run --quiet --profile counted --package tilesat-gba --features console,profile -Zbuild-std=core \
     --target "$target" --bin game -- --keys "5:select $keys" >"$CARGO_TARGET_DIR/samples.txt"
 
-elf=$CARGO_TARGET_DIR/$target/release/game
+elf=$CARGO_TARGET_DIR/$target/counted/game
 "$(rustc --print target-libdir)/../bin/llvm-nm" --demangle --print-size --numeric-sort --radix=d "$elf" |
     sed 's/^\(\S* \S* \S\) /\1\t/' | awk -F'\t' '
     function hex(text,    i, n) { n = 0; for (i = 1; i <= length(text); i++) n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1; return n }

@@ -19,7 +19,7 @@ fn main() -> ExitCode {
 
 /// A level beside this file, by its name.
 fn own(name: &'static str) -> (&'static str, PathBuf) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/platformer/levels");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("platformer/levels");
     (name, folder.join(name).with_extension("tmx"))
 }
 

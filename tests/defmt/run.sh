@@ -7,6 +7,8 @@
 #                     with the feature and without: they must have the same functions, and the
 #                     same constants and statics of the same sizes
 #   run.sh --accept   the same, and the decoded output becomes expected.txt
+#   run.sh --short    only on the M0, and with a game in place of the program that has every
+#                     function of scenes: 60 s of a core less
 #
 # Exit 0: all is well. 1: a line differs or is missing, or the feature costs something. 3: no
 # emulator is available.
@@ -15,13 +17,20 @@ exec </dev/null
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
 case "${*:-}" in
-'' | --accept) ;;
+'' | --accept | --short) ;;
 *)
     sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
     exit 2
     ;;
 esac
-accept=${1:-}
+accept='' targets=(thumbv6m-none-eabi thumbv7m-none-eabi)
+# Programs with every public function of shapes and of scenes. Without the feature, and with it but
+# without a log.
+programs=(everything_shapes everything_scenes)
+case ${1:-} in
+--accept) accept=--accept ;;
+--short) targets=(thumbv6m-none-eabi) programs=(everything_shapes scene_blocks) ;;
+esac
 
 cd "$root"
 out=${CARGO_TARGET_DIR:-target}
@@ -39,7 +48,7 @@ cargo build --quiet --package tilesat-defmt-check
 export RUSTC_WRAPPER=$root/.ci/rustc.sh
 
 failed=0
-for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
+for target in "${targets[@]}"; do
     CARGO_TARGET_DIR=$out/defmt cargo build --quiet --profile flash --package tilesat-defmt --features chip --target "$target"
     elf=$out/defmt/$target/flash/tilesat-defmt
     frames=$out/defmt/$target.frames status=0
@@ -58,9 +67,6 @@ for target in thumbv6m-none-eabi thumbv7m-none-eabi; do
     "$out/debug/tilesat-defmt-check" "$elf" "$frames" "$out/doc/tilesat" "$here/expected.txt" $accept || failed=1
 done
 
-# Programs with every public function of shapes and of scenes. Without the feature, and with it but
-# without a log.
-programs=(everything_shapes everything_scenes)
 # Functions, constants and statics of a program with their sizes. Their position, and so some bytes
 # of padding, depends on the compiler's hashes, which include features. So do the last parts of the
 # names. The two marks of the encoding are in no loaded section.
