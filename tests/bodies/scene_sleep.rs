@@ -8,7 +8,6 @@ use tilesat::scene::{SceneBody, SceneError, SceneEvent, SceneFault, SceneTag, Sh
 use tilesat::{
     Aabb, Circle, Filter, Fx, LayerMask, MoveError, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, Vec2,
 };
-use tilesat_judge::scenes::BODIES;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// Cells of 16: the floor is at y = 128.
@@ -25,7 +24,7 @@ const ROOM: &str = "\
 ";
 const GRAVITY: Vec2 = Vec2::from_raw(0, 6554);
 
-type Bodies = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
+type Bodies = Scene<SortSweep<64, SceneTag>, 64>;
 
 fn room(rows: &str) -> TileMap<'_> {
     TileMap::from_ascii(rows, &KINDS).unwrap()
