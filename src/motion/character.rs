@@ -251,7 +251,9 @@ pub(super) fn refused(e: MoveError) -> Result<Outcome, RangeError> {
     match e {
         MoveError::Stuck(_) => Ok(Outcome::Stuck),
         // The end of the domain.
-        MoveError::Range(RangeError { what: Quantity::X | Quantity::Y, .. }) => Ok(Outcome::OutOfLevel),
+        MoveError::Range(RangeError { what: Quantity::X | Quantity::Y | Quantity::EndX | Quantity::EndY, .. }) => {
+            Ok(Outcome::OutOfLevel)
+        }
         MoveError::Range(e) => Err(e),
     }
 }
