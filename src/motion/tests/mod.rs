@@ -14,7 +14,9 @@ extern crate std;
 
 mod ahead;
 mod arcs;
+mod block_entry;
 mod block_lines;
+mod boxes;
 mod convex;
 mod convex_arcs;
 mod only_hit;
