@@ -4,15 +4,11 @@
 use super::steps::{Swept, step_with};
 use core::num::NonZeroU8;
 use tilesat::broad::{BroadError, BroadPhase, BruteForce, Handle, Pair, SortSweep, Tag};
-use tilesat::scene::{Reply, SceneBody, SceneError, SceneEvent, SceneFault, SceneTag, Shape, Sleep, Stepped};
+use tilesat::scene::{Answer, SceneBody, SceneError, SceneEvent, SceneFault, SceneTag, Shape, Sleep, Stepped};
 use tilesat::{Aabb, Circle, Filter, Fx, LayerMask, Ratio, Scene, Surface, Vec2};
 use tilesat_judge::scenes::{BODIES, check, room};
 
 const GRAVITY: Vec2 = Vec2::from_raw(0, 6554);
-
-const fn meets_if(pass: bool) -> Reply {
-    if pass { Reply::Meet } else { Reply::Ignore }
-}
 
 fn scene() -> Swept {
     Scene::new(SortSweep::new())
@@ -100,7 +96,7 @@ fn a_refused_pair_is_as_if_it_were_none() {
             let mut counts = |pair: Pair| {
                 let pass = bodies[pair.a.slot()].filter.pairs_with(&bodies[pair.b.slot()].filter);
                 refused += u32::from(!pass);
-                meets_if(pass)
+                pass.reply()
             };
             let b =
                 step_with(&mut other, &room(), GRAVITY, &mut counts, &mut |event| log(&mut told_other, event)).unwrap();
@@ -124,7 +120,7 @@ fn a_veto_that_says_now_this_now_that_breaks_nothing() {
             (0..BODIES as u32).map(|key| SceneBody { velocity: Vec2::from_ints(4000, 0), ..r.body(key) }).collect();
         let mut scene = filled(SortSweep::<BODIES, SceneTag>::new(), &bodies);
         for _ in 0..60 {
-            step_with(&mut scene, &room(), GRAVITY, &mut |_| meets_if(asked.below(2) == 0), &mut |_| {}).unwrap();
+            step_with(&mut scene, &room(), GRAVITY, &mut |_| (asked.below(2) == 0).reply(), &mut |_| {}).unwrap();
             check(&scene);
             assert!(scene.bodies().all(|(_, body)| body.mass.is_none()
                 || !body.shape.overlaps_level(&room())

@@ -26,7 +26,7 @@ type Near = SortSweep<N, SceneTag>;
 type Bodies<B, S> = Scene<B, N, 0, S>;
 
 /// A set of shapes, as the judge sees it.
-trait Set: BodyShape {
+pub(super) trait Set: BodyShape {
     fn of(any: &Any) -> Option<Self>;
     fn any(&self) -> Any;
     fn ray(&self, o: Vec2, d: Vec2, inside: Inside) -> Option<CastHit>;

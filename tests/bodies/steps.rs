@@ -9,7 +9,7 @@ use tilesat_judge::scenes::BODIES;
 /// The scene of most tests.
 pub(super) type Swept = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
-/// [`Scene::step_with`]
+/// [`Scene::step_with`], among blocks.
 pub(super) fn step_with(
     scene: &mut Swept,
     map: &TileMap<'_>,
@@ -21,9 +21,9 @@ pub(super) fn step_with(
 }
 
 /// A level for each body.
-pub(super) type LevelOf<'l> = &'l dyn Fn(&SceneBody) -> &'l TileMap<'l>;
+type LevelOf<'l> = &'l dyn Fn(&SceneBody) -> &'l TileMap<'l>;
 
-/// [`Scene::step_in`]
+/// [`Scene::step_in`], where all pairs meet or none.
 pub(super) fn step_in(scene: &mut Swept, level_of: LevelOf<'_>, gravity: Vec2, meets: bool) -> Stepped {
     scene.step_in(level_of, gravity, |_| meets, |_| ()).unwrap()
 }

@@ -16,20 +16,18 @@ set -euo pipefail
 exec </dev/null
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
-case "${*:-}" in
-'' | --accept | --short) ;;
-*)
-    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
-    exit 2
-    ;;
-esac
 accept='' targets=(thumbv6m-none-eabi thumbv7m-none-eabi)
 # Programs with every public function of shapes and of scenes. Without the feature, and with it but
 # without a log.
 programs=(everything_shapes everything_scenes)
-case ${1:-} in
+case "${*:-}" in
+'') ;;
 --accept) accept=--accept ;;
 --short) targets=(thumbv6m-none-eabi) programs=(everything_shapes scene_blocks) ;;
+*)
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$here/run.sh" >&2
+    exit 2
+    ;;
 esac
 
 cd "$root"

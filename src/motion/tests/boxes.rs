@@ -1,45 +1,19 @@
 //! Boxes against convex solids, by their corners and sides.
 
 use super::super::body::kernel::Kernel;
+use super::polygons::SOLIDS;
 use super::std::{format, vec, vec::Vec};
-use crate::num::{Axis, Raw, Vec2};
+use super::{P, outline, raw, vec2};
 use crate::shape::Aabb;
-use crate::world::{Cell, Feature, Geometry};
 
-type Point = (i32, i32);
-
-/// Triangles, trapezoids and a diamond, on a lattice of four, turning from x toward y.
-const SOLIDS: [&[Point]; 8] = [
-    &[(0, 4), (4, 0), (4, 4)],
-    &[(0, 0), (4, 4), (0, 4)],
-    &[(0, 0), (4, 0), (0, 4)],
-    &[(0, 4), (4, 2), (4, 4)],
-    &[(0, 2), (4, 0), (4, 4), (0, 4)],
-    &[(2, 0), (4, 4), (0, 4)],
-    &[(0, 2), (2, 0), (4, 2), (2, 4)],
-    &[(1, 0), (3, 1), (2, 3)],
-];
-
-fn features(solid: &[Point]) -> impl Iterator<Item = Feature> + '_ {
-    let n = solid.len();
-    let edge = move |i: usize| {
-        let (a, b) = (solid[i % n], solid[(i + 1) % n]);
-        let (x, y) = (b.0 - a.0, b.1 - a.1);
-        let len = (1..=4).rev().find(|k| x % k == 0 && y % k == 0).unwrap_or(1);
-        (Vec2::from_raw(a.0, a.1), Axis::new(x / len, y / len), len)
-    };
-    let feature = |geometry| Feature { geometry, cell: Cell::default(), index: 0, flags: 0, one_way: false, source: 0 };
-    (0..n).flat_map(move |i| {
-        let ((a, dir, len), (p, e_out, _)) = (edge(i), edge(i + 1));
-        let face = Geometry::Face { a, dir, len, joined: [false; 2] };
-        [feature(face), feature(Geometry::Vertex { p, e_in: dir, e_out })]
-    })
-}
+/// Another corner of a cell. The convex ones of [`SOLIDS`] come first.
+const MORE: &[P] = &[(0, 0), (4, 0), (0, 4)];
+const CONVEX: usize = 7;
 
 /// When the box starts to overlap, as a fraction. It clips the motion by the half-planes of the
 /// sum of the solid and the mirrored box. The edges of that sum are the solid's and those along
 /// x and y.
-fn oracle(solid: &[Point], lo: Point, size: Point, d: Point) -> Option<(i64, i64)> {
+fn oracle(solid: &[P], lo: P, size: P, d: P) -> Option<(i64, i64)> {
     let n = solid.len();
     let mut normals = vec![(1, 0), (-1, 0), (0, 1), (0, -1)];
     normals.extend((0..n).map(|i| {
@@ -48,7 +22,7 @@ fn oracle(solid: &[Point], lo: Point, size: Point, d: Point) -> Option<(i64, i64
     }));
     let (mut from, mut to) = ((0i64, 1i64), (1i64, 1i64));
     for (x, y) in normals {
-        let dot = |p: Point| i64::from(x) * i64::from(p.0) + i64::from(y) * i64::from(p.1);
+        let dot = |p: P| x * p.0 + y * p.1;
         let solid = solid.iter().map(|&p| dot(p)).max()?;
         let corner = (if x > 0 { lo.0 } else { lo.0 + size.0 }, if y > 0 { lo.1 } else { lo.1 + size.1 });
         let (at, speed) = (dot(corner) - solid, dot(d));
@@ -68,16 +42,16 @@ fn oracle(solid: &[Point], lo: Point, size: Point, d: Point) -> Option<(i64, i64
 #[test]
 fn box_against_convex_solids() {
     let mut hits = 0u32;
-    for solid in SOLIDS {
-        let features: Vec<_> = features(solid).collect();
+    for solid in SOLIDS[..CONVEX].iter().copied().chain([MORE]) {
+        let features: Vec<_> = outline(solid);
         for (w, h) in [(0, 0), (1, 0), (0, 2), (1, 1), (3, 2), (6, 6)] {
             for (x, y) in (-8..8).flat_map(|x| (-8..8).map(move |y| (x, y))) {
                 if oracle(solid, (x, y), (w, h), (0, 0)).is_some() {
                     continue;
                 }
-                let body = Aabb::new(Vec2::from_raw(x, y), Vec2::from_raw(x + w, y + h)).expect("a box of the lattice");
+                let body = Aabb::new(vec2((x, y)), vec2((x + w, y + h))).expect("a box of the lattice");
                 for (dx, dy) in (-7..8).flat_map(|x| (-7..8).map(move |y| (x, y))) {
-                    let d = Raw { x: dx, y: dy };
+                    let d = raw((dx, dy));
                     let first = features
                         .iter()
                         .filter_map(|f| body.sweep(d, f))
