@@ -40,12 +40,18 @@ impl BoxPair {
         [u, v, s, t, q.sub(p)]
     }
 
-    /// Whether they overlap, or touch; none for boxes without area.
+    /// Whether they overlap, or touch; none if they nearly touch.
     #[inline(always)]
     pub(super) fn meet<const CLOSED: bool>(&self) -> Option<bool> {
         let sides = self.sides();
-        let settled = if LONG { float_margins::meet::<CLOSED>(sides) } else { short_boxes::meet(sides) };
+        if LONG { float_margins::meet::<CLOSED>(sides) } else { short_boxes::meet(sides) }
+    }
+
+    /// Whether they overlap, or touch; none for boxes without area.
+    #[inline]
+    pub(super) fn meet_exactly<const CLOSED: bool>(&self) -> Option<bool> {
+        let sides = self.sides();
         // The margin across a side of no length is zero, and says nothing.
-        settled.or_else(|| sides.iter().take(4).all(|e| !e.is_zero()).then(|| all_meet::<CLOSED>(sides)))
+        sides.iter().take(4).all(|e| !e.is_zero()).then(|| all_meet::<CLOSED>(sides))
     }
 }

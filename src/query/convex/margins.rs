@@ -4,31 +4,22 @@
 //! the other middle is nearer than half of the widths of both.
 
 use crate::num::{Raw, leading_zeros32};
-use core::ops::{Add, Sub};
 
 /// For each of the four directions of sides, the widths of two parallelograms across it together,
-/// less twice the distance of their middles. `cross` is their product, which is positive for two
-/// sides of one of them, and `size` is that of others. `d` is twice the way between the middles.
-#[inline(always)]
-pub(super) fn margins<T: Copy + Add<Output = T> + Sub<Output = T>>(
-    [u, v, s, t, d]: [Raw; 5],
-    cross: impl Fn(Raw, Raw) -> T,
-    size: impl Fn(T) -> T,
-) -> [T; 4] {
-    let (own, others) = (cross(u, v), cross(s, t));
-    let size = |e: Raw, f: Raw| size(cross(e, f));
+/// less twice the distance of their middles. `d` is twice the way between the middles.
+///
+/// The products are below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
+#[inline]
+pub(super) fn exact_margins([u, v, s, t, d]: [Raw; 5]) -> [i64; 4] {
+    // Positive for two sides of one parallelogram.
+    let (own, others) = (u.cross(v), s.cross(t));
+    let size = |e: Raw, f: Raw| e.cross(f).wrapping_abs();
     let (us, ut, vs, vt) = (size(u, s), size(u, t), size(v, s), size(v, t));
     let across_u = own + us + ut - size(u, d);
     let across_v = own + vs + vt - size(v, d);
     let across_s = others + us + vs - size(s, d);
     let across_t = others + ut + vt - size(t, d);
     [across_u, across_v, across_s, across_t]
-}
-
-/// [`margins`]: below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
-#[inline]
-pub(super) fn exact_margins(sides: [Raw; 5]) -> [i64; 4] {
-    margins(sides, Raw::cross, i64::wrapping_abs)
 }
 
 /// Whether no side of two boxes has the other box beyond it.

@@ -166,6 +166,10 @@ fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl F
 /// The test for all other shapes. It is a call, so shorter tests need no saved registers.
 #[inline(never)]
 fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
+    // Read again: sides that the short test keeps for this one are 13 of its 141 instructions on an M3.
+    if let Some(answer) = BoxPair::of(a, b).and_then(|pair| pair.meet_exactly::<CLOSED>()) {
+        return answer;
+    }
     if LONG {
         if let Some(near) = BoxPoint::of(a, b) {
             return near.meets::<CLOSED>();
@@ -249,6 +253,10 @@ macro_rules! pair {
         impl<$($n)*> OverlapsFrom<$b> for $a {
             #[inline]
             fn overlaps_from(&self, b: &$b, last: &mut Separation) -> bool {
+                // Two boxes take less than their bounds and a look at the last side.
+                if let Some(answer) = BoxPair::of(self, b).and_then(|pair| pair.meet::<false>()) {
+                    return answer;
+                }
                 if let Some(quads) = Quads::of(self, b) {
                     return !quads.are_apart::<false>()
                         && with_cores!(self, b, |a, b| hint::overlaps(a, b, last));

@@ -2,7 +2,7 @@
 //!
 //! Products of words take a fifth of exact ones on a Cortex-M0, and half on a Cortex-M3.
 
-use super::margins::{margins, short, short_cross};
+use super::margins::{short, short_cross};
 use crate::num::{Raw, leading_zeros32};
 
 /// The size of a number, or one less: one instruction less than the size.
@@ -30,12 +30,28 @@ pub(super) fn meet([u, v, s, t, d]: [Raw; 5]) -> Option<bool> {
     if nearly_size(d.x) as u32 > x.wrapping_add(4) || nearly_size(d.y) as u32 > y.wrapping_add(4) {
         return Some(false);
     }
-    let shift = (32 - BITS).saturating_sub(leading_zeros32(x | y)) & 31;
-    let sides = [u, v, s, t, d].map(|e| short(e, shift));
-    let [p, q, r, w] = margins(sides, short_cross, nearly_size).map(|m| m.wrapping_sub(OFF));
-    if (p | q | r | w) >= 0 {
-        return Some(true);
+    let shift = (32 - BITS - leading_zeros32(x | y | 1 << (BITS - 1))) & 31;
+    let [u, v, s, t, d] = [u, v, s, t, d].map(|e| short(e, shift));
+    let size = |e: Raw, f: Raw| nearly_size(short_cross(e, f));
+    let unless_near = |m: i32| if m < -2 * OFF { Some(false) } else { None };
+    // The margins of `exact_margins`, less OFF. Each is used at once: with all four at hand, a
+    // Cortex-M3 takes 135 instructions in place of 124.
+    let own = short_cross(u, v) - OFF;
+    let (us, ut) = (size(u, s), size(u, t));
+    let across_u = own - size(u, d) + us + ut;
+    if across_u < 0 {
+        return unless_near(across_u);
     }
-    let is_beyond = |m: i32| m < -2 * OFF;
-    if is_beyond(p) || is_beyond(q) || is_beyond(r) || is_beyond(w) { Some(false) } else { None }
+    let (vs, vt) = (size(v, s), size(v, t));
+    let across_v = own - size(v, d) + vs + vt;
+    if across_v < 0 {
+        return unless_near(across_v);
+    }
+    let others = short_cross(s, t) - OFF;
+    let across_s = others - size(s, d) + us + vs;
+    if across_s < 0 {
+        return unless_near(across_s);
+    }
+    let across_t = others - size(t, d) + ut + vt;
+    if across_t < 0 { unless_near(across_t) } else { Some(true) }
 }
