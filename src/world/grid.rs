@@ -30,8 +30,8 @@ pub struct Grid {
     pub(super) cell: i32,
     /// 0 if the cell is a power of two, else `ceil(2^(31 + log) / cell)`.
     pub(super) magic: u32,
-    /// `floor(log2 cell)`, 8 to 24.
-    pub(super) log: u8,
+    /// `floor(log2 cell)`, 8 to 24. A whole word, as in [`GridAxis::count`].
+    pub(super) log: u32,
 }
 
 /// One axis of a grid.
@@ -41,8 +41,9 @@ pub(super) struct GridAxis {
     pub(super) origin: i32,
     /// The length of all cells, below 2^30.
     pub(super) size: i32,
-    /// The number of cells, 1 to 32 767.
-    pub(super) count: u16,
+    /// The number of cells, 1 to 32 767. A whole word: bytes between the fields of a constant grid
+    /// would make a map that is made from it a call of the compiler's copy routine.
+    pub(super) count: u32,
 }
 
 impl Grid {
@@ -76,13 +77,13 @@ impl Grid {
     /// Columns.
     #[must_use]
     pub const fn width(&self) -> u16 {
-        self.x.count
+        self.x.count as u16
     }
 
     /// Rows.
     #[must_use]
     pub const fn height(&self) -> u16 {
-        self.y.count
+        self.y.count as u16
     }
 
     /// The side of a cell.
@@ -282,7 +283,7 @@ impl Grid {
     }
 
     const fn most_along(&self, length: u32, span: &GridAxis) -> u32 {
-        let (most, all) = (self.quotient(length).wrapping_add(2), span.count as u32 + 2);
+        let (most, all) = (self.quotient(length).wrapping_add(2), span.count + 2);
         if most < all { most } else { all }
     }
 
@@ -339,14 +340,14 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Grid
         let value = if end > i32::MAX as i64 { i32::MAX } else { end as i32 };
         Err(TileMapError::OutOfDomain { what, value })
     } else {
-        Ok(GridAxis { origin, size: size as i32, count })
+        Ok(GridAxis { origin, size: size as i32, count: count as u32 })
     }
 }
 
 /// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once per map;
 /// mostly in the compiler.
-const fn magic(cell: u32) -> (u32, u8) {
-    let log = 31 - cell.leading_zeros() as u8;
+const fn magic(cell: u32) -> (u32, u32) {
+    let log = 31 - cell.leading_zeros();
     if cell.is_power_of_two() {
         return (0, log);
     }

@@ -138,7 +138,7 @@ impl Grid {
 /// Whether a line is ahead, with a cell behind it that matters: of those beyond the map, only bands
 /// do.
 #[inline(never)]
-fn leads_on(side: &Lane, count: u16, beyond: Beyond) -> bool {
+fn leads_on(side: &Lane, count: u32, beyond: Beyond) -> bool {
     let last = (count as i32).wrapping_sub(1);
     let room = if side.step > 0 { last.wrapping_sub(side.cell) } else { side.cell };
     side.near <= side.size && room.wrapping_add(matches!(beyond, Beyond::Bands) as i32) > 0

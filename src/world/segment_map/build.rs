@@ -240,8 +240,8 @@ const fn head(size: &Size, out: &mut [u8]) {
     set_word(out, at::ORIGIN_X, grid.x.origin as u32);
     set_word(out, at::ORIGIN_Y, grid.y.origin as u32);
     set_word(out, at::CELL, grid.cell as u32);
-    set_half(out, at::WIDTH, grid.x.count);
-    set_half(out, at::HEIGHT, grid.y.count);
+    set_half(out, at::WIDTH, grid.width());
+    set_half(out, at::HEIGHT, grid.height());
     set_half(out, at::REFS, size.refs);
     set_half(out, at::RESERVED, 0);
     set_word(out, at::MAGIC, MAGIC);

@@ -42,7 +42,7 @@ impl<'a> TileMap<'a, Blocks, Bytes> {
     /// # Errors
     /// As [`new`](Self::new).
     pub const fn on_grid(tiles: &'a [u8], grid: Grid, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
-        Self::build(tiles, grid, grid.x.count, kinds)
+        Self::build(tiles, grid, grid.width(), kinds)
     }
 }
 
@@ -97,7 +97,7 @@ impl<'a, S: ShapeSet> TileMap<'a, S, Bytes> {
     /// # Errors
     /// As [`new`](TileMap::new).
     pub const fn of(tiles: &'a [u8], grid: Grid, kinds: &'a TileKinds) -> Result<Self, TileMapError> {
-        Self::build(tiles, grid, grid.x.count, kinds)
+        Self::build(tiles, grid, grid.width(), kinds)
     }
 
     /// A map of any [`ShapeSet`] of shapes from bytes, row after row, in cells of 16 units.
@@ -182,7 +182,7 @@ impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// [`TileMapError::Stride`] if the stride is below the width, [`TileMapError::TooShort`] if the
     /// data ends before the last tile.
     pub const fn with_stride(mut self, stride: u16) -> Result<Self, TileMapError> {
-        if stride < self.grid.x.count {
+        if stride < self.grid.width() {
             return Err(TileMapError::Stride(stride));
         }
         self.stride = stride;
@@ -199,7 +199,7 @@ impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// # Errors
     /// [`TileMapError::OutOfDomain`].
     pub const fn with_origin(self, origin: Vec2) -> Result<Self, TileMapError> {
-        self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, self.grid.cell(), origin))
+        self.with_grid(Grid::new(self.grid.width(), self.grid.height(), self.grid.cell(), origin))
     }
 
     /// Sets the side of the cells.
@@ -207,7 +207,7 @@ impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// # Errors
     /// [`TileMapError::Cell`] if it is odd or not in 2^8..=2^24 raw, [`TileMapError::OutOfDomain`].
     pub const fn with_cell(self, cell: Fx) -> Result<Self, TileMapError> {
-        self.with_grid(Grid::new(self.grid.x.count, self.grid.y.count, cell, self.grid.origin()))
+        self.with_grid(Grid::new(self.grid.width(), self.grid.height(), cell, self.grid.origin()))
     }
 
     const fn with_grid(mut self, grid: Result<Grid, TileMapError>) -> Result<Self, TileMapError> {

@@ -170,7 +170,7 @@ impl<S: ShapeSet, T: Store> TileSource for TileMap<'_, S, T> {
 
     #[inline(never)]
     fn beside(&self, x: i32, y: i32) -> [TileShape; 4] {
-        let last = (i32::from(self.grid.x.count) - 1, i32::from(self.grid.y.count) - 1);
+        let last = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
         if 0 < x && x < last.0 && 0 < y && y < last.1 {
             // All are tiles of the map, at a constant distance in its data.
             let (tile, row) = (self.place(x, y), u32::from(self.stride));

@@ -110,13 +110,13 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Columns.
     #[must_use]
     pub const fn width(&self) -> u16 {
-        self.grid.x.count
+        self.grid.width()
     }
 
     /// Rows.
     #[must_use]
     pub const fn height(&self) -> u16 {
-        self.grid.y.count
+        self.grid.height()
     }
 
     /// The side of a cell.
@@ -282,7 +282,7 @@ const fn continued(kind: TileKind, x: i32, y: i32, in_x: i32, in_y: i32) -> Tile
 }
 
 /// The nearest index of the map.
-pub(in crate::world) const fn merged(index: i32, count: u16) -> i32 {
+pub(in crate::world) const fn merged(index: i32, count: u32) -> i32 {
     if index < 0 {
         0
     } else if index >= count as i32 {

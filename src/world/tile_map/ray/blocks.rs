@@ -412,7 +412,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
     /// The index of a cell, or that of the border cell beside it that stands for a band.
     #[inline]
-    fn known(&self, index: i32, border: i32, count: u16) -> i32 {
-        if matches!(self.outside, Outside::Edge) && index as u32 >= count as u32 { border } else { index }
+    fn known(&self, index: i32, border: i32, count: u32) -> i32 {
+        if matches!(self.outside, Outside::Edge) && index as u32 >= count { border } else { index }
     }
 }

@@ -84,7 +84,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Whether a cell outside the map is not even a band that has features.
     #[cold]
     fn is_beyond_bands(&self, x: i32, y: i32) -> bool {
-        let (width, height) = (i32::from(self.grid.x.count), i32::from(self.grid.y.count));
+        let (width, height) = (self.grid.x.count as i32, self.grid.y.count as i32);
         !matches!(self.outer(), Beyond::Bands) || x < -1 || y < -1 || x > width || y > height
     }
 }
