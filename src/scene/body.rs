@@ -264,7 +264,15 @@ impl<S: BodyShape> Slot<S> {
     pub(super) fn is_fast(&self) -> bool {
         // Each is a motion: no sum wraps.
         let Tally { low, high, kick, .. } = self.tally;
-        let Raw { x, y } = Raw::of(self.body.velocity).add(Raw::of(kick)).add(Raw::of(low)).add(Raw::of(high));
+        self.makes_fast(Raw::of(self.body.velocity).add(Raw::of(kick)).add(Raw::of(low)).add(Raw::of(high)))
+    }
+
+    /// Whether it is fast already by its own velocity, before others push it.
+    pub(super) fn leads_fast(&self) -> bool {
+        self.makes_fast(Raw::of(self.body.velocity))
+    }
+
+    fn makes_fast(&self, Raw { x, y }: Raw) -> bool {
         let bounds = self.body.shape.aabb();
         let size = bounds.hi().sub(bounds.lo());
         let speed = x.unsigned_abs().max(y.unsigned_abs());

@@ -83,7 +83,7 @@
 //!   those on top of it. The momentum goes into the ground. Support reaches a whole pile within a
 //!   step. Velocities are relative to the carrier: a pile on a lift that moves evenly behaves as at
 //!   rest, bit for bit. Boxes of a column keep their order and do not sink into each other. Balls
-//!   that lie askew overlap by a raw unit.
+//!   that lie askew do: see the limits [below](self#limits).
 //! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
 //!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
 //!   also wakes if you name a region that [changed](Scene::wake_region), and if a solid that

@@ -149,9 +149,11 @@ fn upper<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, contact: Option<&Contact>, grav
     }
 }
 
-fn is_carried<S>(a: &Slot<S>, b: &Slot<S>, top: Top) -> bool {
-    let lower = if top == Top::A { b } else { a };
-    lower.support != ALOFT
+/// Whether the pair is left until those below have made their steps. A fast body is moved last, and
+/// along its whole way: what it overlaps pushes it like the others, or nothing would.
+fn is_carried<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, top: Top) -> bool {
+    let (upper, lower) = if top == Top::A { (a, b) } else { (b, a) };
+    lower.support != ALOFT && !upper.leads_fast()
 }
 
 /// Two bodies that touch rest together. A fixed one joins no body.

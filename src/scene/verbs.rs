@@ -3,6 +3,7 @@
 //! Separate from the pairs of bodies, which a step uses: a scene that only steps links none of it.
 
 use super::{Shape, WithCapsules};
+use crate::error::RangeError;
 use crate::num::{Axis, Fx, Raw, Toi, Vec2};
 use crate::query::{
     CastShape, ClosestPoint, Contact, Contacts, Contains, Course, Distance, Enter, InDomain, Manifold, Manifolds,
@@ -148,7 +149,11 @@ macro_rules! set {
             }
         }
 
-        impl InDomain for $set {}
+        impl InDomain for $set {
+            fn after(&self, motion: Vec2) -> Result<Self, RangeError> {
+                self.translated(motion)
+            }
+        }
 
         impl Extent for $set {
             fn extent(&self) -> Aabb {

@@ -7,6 +7,7 @@ mod broad_model;
 mod broad_pairs;
 mod broad_removals;
 mod fast_curves;
+mod fast_overlaps;
 mod filters;
 mod hanging;
 mod leaning;

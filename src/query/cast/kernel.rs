@@ -85,6 +85,14 @@ pub trait InDomain {
     fn check(&self) -> Result<(), RangeError> {
         Ok(())
     }
+
+    /// The shape after a motion.
+    ///
+    /// # Errors
+    /// [`RangeError`] if it is outside the domain there.
+    fn after(&self, motion: Vec2) -> Result<Self, RangeError>
+    where
+        Self: Sized;
 }
 
 /// A moving shape and the shape that it is cast against.
@@ -133,11 +141,28 @@ impl InDomain for Vec2 {
     fn check(&self) -> Result<(), RangeError> {
         check_coordinate(*self)
     }
+
+    fn after(&self, motion: Vec2) -> Result<Self, RangeError> {
+        let end = Raw::of(*self).add(Raw::of(motion)).vec2();
+        end.check().map(|()| end)
+    }
 }
 
-impl InDomain for Aabb {}
-impl InDomain for Circle {}
-impl InDomain for Segment {}
+/// Shapes that are moved by `translated`.
+macro_rules! in_domain {
+    ([$($n:tt)*] $a:ty) => {
+        impl<$($n)*> $crate::query::cast::kernel::InDomain for $a {
+            fn after(&self, motion: Vec2) -> Result<Self, RangeError> {
+                self.translated(motion)
+            }
+        }
+    };
+}
+pub(crate) use in_domain;
+
+in_domain!([] Aabb);
+in_domain!([] Circle);
+in_domain!([] Segment);
 
 /// The answer to a cast that starts inside: a ray in the solid, or a shape that overlaps the other
 /// one. The border is not inside.

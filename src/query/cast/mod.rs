@@ -132,6 +132,39 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
         })
     }
 
+    /// The part of the motion in which this shape overlaps `b`: the times of entry and exit. `None`
+    /// if they overlap at no time.
+    ///
+    /// The entry is 0 if they overlap before the motion, and the exit is 1 if they do after it. The
+    /// entry is the exact floor, in 2^-30 of the motion, and the exit the exact ceiling. A
+    /// [`Compound`](crate::shape::Compound) may be free of `b` between the two. Cost: two calls of
+    /// [`exact_toi`](Self::exact_toi).
+    ///
+    /// ```
+    /// use tilesat::prelude::*;
+    /// use tilesat::{Aabb, Vec2, fx};
+    /// let bullet = Aabb::new(Vec2::from_ints(0, 4), Vec2::from_ints(2, 6))?;
+    /// let gate = Aabb::new(Vec2::from_ints(10, 0), Vec2::from_ints(14, 10))?;
+    /// // It enters after 8 units of 32, and has left after 14.
+    /// let (entry, exit) = bullet.contact_interval(&gate, Vec2::from_ints(32, 0))?.unwrap();
+    /// assert_eq!((entry.to_fx(), exit.to_fx()), (fx!(0.25), fx!(0.4375)));
+    /// assert_eq!(bullet.contact_interval(&gate, Vec2::from_ints(8, 0))?, None); // it only touches
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// See the trait, and [`RangeError`] if the motion ends outside of the domain.
+    #[doc(alias("exit time", "interval of contact", "swept SAT"))]
+    fn contact_interval(&self, b: &B, motion: Vec2) -> Result<Option<(Toi, Toi)>, RangeError>
+    where
+        Self: Sized,
+    {
+        // The exit is the entry of the way back.
+        let back = self.after(motion)?.exact_toi(b, Vec2::ZERO - motion, Inside::Hit)?;
+        let entry = self.exact_toi(b, motion, Inside::Hit)?;
+        Ok(entry.zip(back.map(|back| Toi::clamped(Toi::ONE.raw().wrapping_sub(back.raw())))))
+    }
+
     /// The hit of two shapes that both move: this one by `motion`, `b` by `motion_b`.
     ///
     /// It is as exact as [`cast_shape`](Self::cast_shape) with the difference of the motions.

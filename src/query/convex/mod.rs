@@ -42,7 +42,7 @@ mod two_segments;
 mod walk;
 
 use super::cast::CastShape;
-use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside, RayTarget};
+use super::cast::kernel::{CastHit, Course, Enter, Inside, RayTarget, in_domain};
 use super::closest::{ClosestPoint, Distance, from_border};
 use super::contact::{Contact, Contacts};
 use super::meet::aabb_aabb;
@@ -363,7 +363,7 @@ macro_rules! points {
             }
         }
 
-        impl<$($n)*> InDomain for $a {}
+        in_domain!([$($n)*] $a);
 
         impl<$($n)*> RayTarget for $a {
             fn ray_hit(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
