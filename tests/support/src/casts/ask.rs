@@ -54,6 +54,13 @@ pub fn cast(a: &Figure, b: &Figure, d: Point, inside: Inside) -> Result<Answer, 
     }))
 }
 
+/// The interval of contact; an error if the motion ends outside of the domain.
+pub fn interval(a: &Figure, b: &Figure, d: Point) -> Interval {
+    shapes!(a, b, |x, y| x.contact_interval(&y, vec2(d)))
+}
+
+pub type Interval = Result<Option<(Toi, Toi)>, RangeError>;
+
 pub fn cast_moving(a: &Figure, by_a: Point, b: &Figure, by_b: Point) -> Result<Option<MovingHit>, RangeError> {
     shapes!(a, b, |x, y| x.cast_moving(vec2(by_a), &y, vec2(by_b), Inside::Ignore))
 }
@@ -72,7 +79,25 @@ pub fn check<N: Number>(a: &Figure, b: &Figure, d: Point, tolerance: i64) -> Cas
     let case = || format!("{a:?} by {d:?} on {b:?}");
     let forth = |inside| cast(a, b, d, inside).unwrap_or_else(|e| panic!("{e}: {}", case()));
     let back = || cast(b, a, (-d.0, -d.1), Inside::Ignore);
+    check_interval::<N>(&Forbidden::new(a, b), d, interval(a, b, d), case);
     verify::<N>(&Forbidden::new(a, b), d, tolerance, forth, back, case)
+}
+
+/// Checks the times of entry and exit: the exit by the way back from the end of the motion.
+pub fn check_interval<N: Number>(set: &Forbidden, d: Point, interval: Interval, case: impl Fn() -> String) {
+    let Ok(interval) = interval else { return };
+    let (end, back) = (set.moved(d), (-d.0, -d.1));
+    let overlaps = set.holds::<N>((0, 0)) || set.met::<N>(d, ONE);
+    assert_eq!(interval.is_some(), overlaps, "interval: {}", case());
+    let Some((entry, exit)) = interval.map(|(entry, exit)| (i64::from(entry.raw()), i64::from(exit.raw()))) else {
+        return;
+    };
+    // The floor of a time: nothing is met up to it, and something in the next part.
+    let floors = |set: &Forbidden, d: Point, time: i64| {
+        if set.holds::<N>((0, 0)) { time == 0 } else { !set.met::<N>(d, time) && set.met::<N>(d, time + 1) }
+    };
+    assert!(floors(set, d, entry), "entry at {entry}: {}", case());
+    assert!(floors(&end, back, ONE - exit), "exit at {exit}: {}", case());
 }
 
 /// Checks the answers of a cast by `d` and of the exchanged one, which may be out of range.

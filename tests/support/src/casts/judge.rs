@@ -80,7 +80,7 @@ impl Forbidden {
     }
 
     /// The scene relative to another position.
-    fn moved(&self, p: Point) -> Self {
+    pub fn moved(&self, p: Point) -> Self {
         Self { hull: self.hull.iter().map(|v| (v.0 - p.0, v.1 - p.1)).collect(), radius: self.radius }
     }
 

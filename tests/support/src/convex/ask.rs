@@ -1,7 +1,7 @@
 //! The library under test, called with shapes.
 
 use super::shape::{MOST, Shape};
-use crate::casts::ask::Answer;
+use crate::casts::ask::{Answer, Interval};
 use crate::oracle::figure::Point;
 use crate::oracle::kernel::{aabb, circle, point, segment, vec2};
 use tilesat::prelude::*;
@@ -105,6 +105,10 @@ pub fn cast(a: &Shape, b: &Shape, d: Point, inside: Inside) -> Result<Answer, Ra
         yes: x.would_hit(&y, motion, inside)?,
         exact: x.exact_toi(&y, motion, inside)?,
     }))
+}
+
+pub fn interval(a: &Shape, b: &Shape, d: Point) -> Interval {
+    with_pair!(a, b, |x, y| x.contact_interval(&y, vec2(d)))
 }
 
 pub fn cast_ray(shape: &Shape, origin: Point, d: Point, inside: Inside) -> Option<CastHit> {

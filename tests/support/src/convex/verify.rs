@@ -179,6 +179,7 @@ pub fn cast<N: Number>(a: &Shape, b: &Shape, d: Point, tolerance: i64) -> Case {
     let case = || format!("{a:?} by {d:?} on {b:?}");
     let forth = |inside| ask::cast(a, b, d, inside).unwrap_or_else(|e| panic!("{e}: {}", case()));
     let back = || ask::cast(b, a, (-d.0, -d.1), Inside::Ignore);
+    casts::check_interval::<N>(&set, d, ask::interval(a, b, d), case);
     casts::verify::<N>(&set, d, tolerance, forth, back, case)
 }
 
