@@ -66,6 +66,12 @@ pub(super) struct Checkpoint<B> {
     inside: bool,
 }
 
+impl<B> Checkpoint<B> {
+    pub(super) const fn body(&self) -> &B {
+        &self.body
+    }
+}
+
 impl<'m, B: Body> Run<'m, B> {
     /// The run of a body that has hit nothing yet. Parts of the level may already be known.
     #[inline]

@@ -1,7 +1,7 @@
 //! Walkers in named scenes: rest, wedges, jumps, one-way floors, steep slopes, quarter pipes.
 
 use tilesat::world::World;
-use tilesat::{Aabb, Axis, Circle, Mover, Response, SlopeSpeed, TileMap, Walker, motion::Support};
+use tilesat::{Aabb, Axis, Circle, Inside, Mover, Response, SlopeSpeed, TileMap, Walker, motion::Support};
 use tilesat_judge::ground;
 use tilesat_judge::ground::{CELL, Frame, P, PX, Shape, fx, vec2};
 use tilesat_judge::shapes::level::Level;
@@ -200,6 +200,33 @@ fn quarter_pipes() {
             assert!(speed.abs() > 4 * PX || last.at.1 < start.at.1 - PX / 2, "{shape:?} by {speed}: {last:?}");
         }
     }
+}
+
+/// Down a slope that ends in a quarter pipe: at a speed whose chord would pass the limit, the body
+/// still goes up to the pipe.
+#[test]
+fn down_a_slope_into_a_quarter_pipe() {
+    let pipe = level(&["....", "....", "#...", "#\\)#", "####"]);
+    let map = pipe.all();
+    let mut stops = 0;
+    for (half, x) in (3..=7).flat_map(|half| (18..=30).map(move |x| (half, x))) {
+        let shape = Shape::Rect(half * PX, 7 * PX);
+        let start = shape.step(&walker(), &map, at(x + half, x + 24), (0, 2 * PX), None);
+        let on_slope = |f: &Frame| f.floor.is_some_and(|floor| floor.axis == Axis::new(1, -1));
+        let Some(start) = start.ok().filter(on_slope) else { continue };
+        for speed in 4..=14 {
+            let seen = play(&walker(), &map, shape, start, speed * PX, 40);
+            let (end, last) = (seen[39].at, seen[38].at);
+            if end != last {
+                continue;
+            }
+            stops += 1;
+            let body = Aabb::new(vec2((end.0 - half * PX, end.1 - 7 * PX)), vec2((end.0 + half * PX, end.1 + 7 * PX)));
+            let hit = map.cast_shape(&body.unwrap(), vec2((PX, PX)), Inside::Hit).unwrap();
+            assert!(hit.is_some(), "{shape:?} from {:?} by {speed} stops at {end:?}", start.at);
+        }
+    }
+    assert!(stops > 100, "{stops}");
 }
 
 /// One-way floors: it walks on them, snaps down on them but not through them, and jumps up through

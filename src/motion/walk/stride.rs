@@ -4,6 +4,7 @@ use super::Support;
 use super::ground::{CONTACT, Ground, Look, along, length};
 use super::walker::{SlopeSpeed, Walker};
 use crate::motion::body::Body;
+use crate::motion::contact::touched;
 use crate::motion::plane::{NEAR, Pipe, across, lies_along, may_be_askew, project, tangent, tangential, way};
 use crate::motion::response::Smooth;
 use crate::motion::run::{Checkpoint, Run, check_inside};
@@ -30,7 +31,7 @@ pub(super) struct Stride<'a, 'm, W, B> {
     pub(super) climbed: Option<Support>,
     /// The end of a leg that was taken back to where the ground bends, and the time left there.
     ahead: Option<(Checkpoint<B>, Toi)>,
-    /// The start of the last leg; for a chord, the start of the leg that led to it.
+    /// The start of the last leg. For a chord, that of the leg that led to it along its pipe.
     before: Checkpoint<B>,
     /// Whether it lands on level ground in this frame.
     lands: bool,
@@ -179,6 +180,10 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 }
                 self.floor = entry.normal;
                 if W::ROUND {
+                    // The way up to a pipe stays, even if its chord does not.
+                    if !touched::<W, B>(self.before.body(), feature, &mut |_| ()) {
+                        self.before = self.run.here();
+                    }
                     self.enter(feature);
                 }
                 true
@@ -298,8 +303,8 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     }
 
     /// After a whole chord: whether time is left for the ground beyond it. If the chord ends where
-    /// the pipe is too steep, it is not made, nor is the leg that led to it. Otherwise the body
-    /// would creep to the limit, and over it by a rounding.
+    /// the pipe is too steep, it is not made, nor is the leg in the pipe that led to it. Otherwise
+    /// the body would creep to the limit, and over it by a rounding.
     fn leave_chord(&mut self, ground: Option<&Ground>) -> bool {
         (self.run.rest, self.run.after, self.run.on_chord) = (self.run.after, Toi::ZERO, false);
         let Some(ground) = ground else { return false };
