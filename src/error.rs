@@ -30,9 +30,9 @@ pub enum Quantity {
     Radius,
     /// A half extent: negative or too large.
     HalfExtent,
-    /// The width of a box: its minimum is right of its maximum.
+    /// The width of a box: its minimum is right of its maximum, or a solid has none.
     Width,
-    /// The height of a box: its minimum is beyond its maximum.
+    /// The height of a box: its minimum is beyond its maximum, or a solid has none.
     Height,
     /// The horizontal component of a motion.
     MotionX,
@@ -55,14 +55,15 @@ pub enum Quantity {
     /// The direction of a box: both components are zero, or one is `i32::MIN`, which has no
     /// opposite.
     Direction,
-    /// How far the core of a capsule that is to be moved is off the vertical or the horizontal;
-    /// zero if the capsule has no radius.
+    /// The slant of a moving capsule. It must be upright or level. Zero means that it has no
+    /// radius.
     Capsule,
-    /// The smaller side of the bounding box of a body or solid that is to be moved and has no area.
+    /// The shape of a moving body, or of a solid, has no area. The value is the smaller side of its
+    /// bounding box.
     Area,
     /// The radius of a solid that must be sharp: [`ConvexSolid`](crate::world::ConvexSolid).
     Rounding,
-    /// The number of corners of a solid after its turn.
+    /// The number of corners that a solid has, and keeps when it turns.
     Corners,
     /// The horizontal coordinate at which a motion or a ray would end.
     EndX,
@@ -84,9 +85,17 @@ impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (what, value) = (self.what, self.value);
         let settle = match what {
+            // Whole units that do not fit, or the end at which operators of vectors stop.
+            Quantity::X | Quantity::Y if value == i32::MIN || value == i32::MAX => {
+                return write!(
+                    f,
+                    "{what:?} does not fit: numbers go from -32768 to below 32768, and positions must be less than 8192 units from the origin"
+                );
+            }
             Quantity::X | Quantity::Y => "keep positions less than 8192 units from the origin on each axis",
             Quantity::Radius | Quantity::HalfExtent | Quantity::Length => "it must be from 0 to below 8192 units",
-            Quantity::Width | Quantity::Height => "the second corner must be beyond the first",
+            Quantity::Width | Quantity::Height if value == 0 => "that of a solid must be above 0",
+            Quantity::Width | Quantity::Height => "the maximum of a box must not be less than its minimum",
             Quantity::MotionX | Quantity::MotionY => "a motion must be less than 4096 units on each axis",
             Quantity::EndX | Quantity::EndY => {
                 "motions and rays must end less than 8192 units from the origin on each axis"
@@ -104,13 +113,31 @@ impl fmt::Display for RangeError {
             Quantity::Direction => {
                 return write!(f, "a direction is needed: one of its two components must not be zero");
             }
-            Quantity::Area => "a moving body or solid with sides in any direction must have an area",
-            Quantity::Rounding => {
-                "a solid with slanted sides, and one that turns, must be sharp; others have a radius as an AnyShape"
+            Quantity::Area => {
+                return write!(
+                    f,
+                    "the shape has no area: a solid needs one, and so does an oriented box, polygon or `AnyShape` that moves"
+                );
             }
-            Quantity::Corners => return write!(f, "a solid of {value} corners turns into one of as many"),
+            Quantity::Rounding => {
+                return write!(
+                    f,
+                    "a solid that turns or has slanted sides cannot have a radius of {} ({value} raw): make it a sharp polygon; a round box that is level can be an `AnyShape`",
+                    Fx::from_bits(value)
+                );
+            }
+            Quantity::Corners => {
+                return write!(f, "a solid keeps its number of corners when it turns: the new shape must have {value}");
+            }
+            Quantity::Capsule if value == 0 => {
+                return write!(f, "the capsule has no radius: a moving capsule needs one");
+            }
             Quantity::Capsule => {
-                "a moving capsule must be upright or level, and have a radius; a slanted one moves as an AnyShape"
+                return write!(
+                    f,
+                    "the capsule is slanted by {} ({value} raw): make it upright or level, or move it as an `AnyShape`",
+                    Fx::from_bits(value)
+                );
             }
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",

@@ -262,7 +262,8 @@ impl fmt::Display for BroadError {
                 write!(f, "all {capacity} slots are taken: remove a body, or raise the capacity")
             }
             Self::Stale(handle) => {
-                write!(f, "no body has slot {} and generation {}: it was removed", handle.slot(), handle.generation())
+                let (slot, generation) = (handle.slot(), handle.generation());
+                write!(f, "body {slot} (generation {generation}) was removed: drop its handle")
             }
             Self::TooLarge { size, limit } => {
                 write!(

@@ -121,13 +121,18 @@ macro_rules! fx {
 #[doc(hidden)]
 #[must_use]
 pub const fn literal(text: &str) -> Fx {
-    let [b'-', b' ', size @ ..] = text.as_bytes() else { return Fx::lit(text) };
-    let size = match core::str::from_utf8(size) {
-        // Wider than an `Fx`, whose least value has no opposite.
+    let (negative, size) = match text.as_bytes() {
+        [b'-', b' ', size @ ..] => (true, size),
+        size => (false, size),
+    };
+    let value = match core::str::from_utf8(size) {
+        // Wider than an `Fx`, so that the message below gives the range.
         Ok(size) => fixed::types::I48F16::lit(size).to_bits(),
         Err(_) => i64::MAX,
     };
-    // The compiler evaluates it: no program holds this panic.
-    assert!(0 <= size && size <= 1 << 31, "fx! takes a number from -32768 to below 32768");
-    Fx::from_bits(size.wrapping_neg() as i32)
+    // The compiler evaluates it: no program holds these panics.
+    assert!(!negative || value >= 0, "fx! takes one minus at most");
+    let value = if negative { value.wrapping_neg() } else { value };
+    assert!(-1 << 31 <= value && value < 1 << 31, "fx! takes a number from -32768 to below 32768");
+    Fx::from_bits(value as i32)
 }

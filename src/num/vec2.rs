@@ -377,7 +377,8 @@ impl From<(i16, i16)> for Vec2 {
 /// use tilesat::{Quantity, Vec2};
 /// let at = |x: i32, y: i32| Vec2::try_from((x, y));
 /// assert_eq!(at(3, -4), Ok(Vec2::from_ints(3, -4)));
-/// assert_eq!(at(70_000, 0).unwrap_err().what, Quantity::X); // `70_000_i32 as i16` is 4464
+/// let error = at(70_000, 0).unwrap_err(); // `70_000_i32 as i16` is 4464
+/// assert!(error.what == Quantity::X && error.to_string().starts_with("X does not fit"));
 /// ```
 impl TryFrom<(i32, i32)> for Vec2 {
     type Error = RangeError;

@@ -57,7 +57,8 @@ impl From<RangeError> for SceneFault {
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(body) = self.body {
+        // A stale handle's own text names the body.
+        if let (Some(body), false) = (self.body, matches!(self.fault, SceneFault::Broad(BroadError::Stale(_)))) {
             write!(f, "body {} (generation {}): ", body.slot(), body.generation())?;
         }
         match self.fault {

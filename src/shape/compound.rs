@@ -22,8 +22,10 @@ pub enum CompoundError {
 impl fmt::Display for CompoundError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Empty => write!(f, "a compound needs a part"),
-            Self::TooMany { capacity } => write!(f, "more parts than the {capacity} that there is room for"),
+            Self::Empty => write!(f, "a compound needs at least one part"),
+            Self::TooMany { capacity } => {
+                write!(f, "the compound has more than {capacity} parts: raise the capacity, or leave parts out")
+            }
         }
     }
 }

@@ -70,17 +70,33 @@ impl fmt::Display for TileMapError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::EmptyMap => write!(f, "the map has no cells: width and height must be at least 1"),
-            Self::TooManyCells(n) => write!(f, "a side of {n} cells is longer than 32767: cut the world into rooms"),
+            Self::TooManyCells(n) => {
+                write!(f, "a side of {n} cells is longer than 32767: use larger cells, or cut the world into rooms")
+            }
             Self::Cell(raw) => {
-                write!(f, "a cell of {raw} raw is refused: its side must be even, from 256 to 16777216 raw (256 units)")
+                write!(f, "a cell of {raw} raw is refused: {CELLS}")
             }
             Self::OutOfDomain { what, value } => {
                 write!(f, "the map ends at {what:?} = {value} raw, out of range: move its origin, or cut it into rooms")
             }
-            Self::Stride(stride) => write!(f, "a stride of {stride} is less than the width: rows would overlap"),
-            Self::TooShort { needed, found } => write!(f, "the tiles have {found} bytes, but the map needs {needed}"),
+            Self::Stride(stride) => {
+                write!(f, "a stride of {stride} is less than the width, so rows would overlap: raise it")
+            }
+            Self::TooShort { needed, found } => {
+                write!(
+                    f,
+                    "the tiles have {found} bytes, but the map needs {needed}: pass more, or lower its size or stride"
+                )
+            }
+            Self::RowLength { expected: 0, .. } => {
+                f.write_str("row 0 is empty: begin the text behind the quote, or open it with \"\\")
+            }
+            Self::RowLength { row, expected, found: 0 } => {
+                write!(f, "row {row} is empty where row 0 has {expected}: remove it, or fill it")
+            }
             Self::RowLength { row, expected, found } => {
-                write!(f, "row {row} has {found} characters where row 0 has {expected}: make them equal")
+                let s = if found == 1 { "" } else { "s" };
+                write!(f, "row {row} has {found} character{s} where row 0 has {expected}: make them equal")
             }
             Self::NotAscii { row, column } => {
                 write!(f, "the character at row {row}, column {column} is not ASCII: use one byte per tile")
@@ -99,11 +115,15 @@ impl fmt::Display for TileMapError {
                 if id.is_ascii_graphic() {
                     write!(f, " '{}'", char::from(id))?;
                 }
-                f.write_str(" a shape that is not in the map's set: choose another set with `of` or `of_ascii`")
+                f.write_str(
+                    " a shape that is not in the map's set: choose another set with `of`, `of_ascii` or `of_bytes`",
+                )
             }
         }
     }
 }
+
+const CELLS: &str = "its side must be even, from 256 to 16777216 raw (256 units)";
 
 impl core::error::Error for TileMapError {}
 
@@ -241,13 +261,14 @@ impl fmt::Display for SegmentMapError {
         match *self {
             Self::Empty => write!(f, "there are no points: a map needs at least one path"),
             Self::TooFewPoints { path, points } => {
-                write!(f, "path {path} has {points} points: a polygon needs 3, a chain 2")
+                let s = if points == 1 { "" } else { "s" };
+                write!(f, "path {path} has {points} point{s}: a polygon needs 3, a chain 2")
             }
             Self::ZeroLength { path, point } => {
                 write!(f, "path {path}: point {point} is the same as the next: remove one of them")
             }
             Self::OutOfDomain { path, point, what, value } => {
-                write!(f, "path {path}, point {point}: {what:?} = {value} raw is out of range (8192 units)")
+                write!(f, "path {path}, point {point}: {what:?} = {value} raw is out of range: {NEAR_ORIGIN}")
             }
             Self::OutsideGrid { path, point } => {
                 write!(f, "path {path}, point {point} is outside the grid: enlarge the grid")
@@ -260,23 +281,45 @@ impl fmt::Display for SegmentMapError {
                 write!(f, "path {path}, point {point}: the cells list more than 65535 segments: use larger cells")
             }
             Self::Grid(e) => e.fmt(f),
-            Self::TooDeep(cell) => write!(f, "cell {cell:?} has more than 127 polygons over each other: merge some"),
-            Self::TooSmall { needed, found } => write!(f, "the buffer has {found} bytes, but the map needs {needed}"),
-            Self::NotSegments => write!(f, "the bytes are not a segment map: they do not begin with TSEG"),
-            Self::Version(version) => write!(f, "version {version} of the format is unknown: bake the level again"),
-            Self::Reserved => write!(f, "a reserved part of the header is not zero: bake the level again"),
+            Self::TooDeep(Cell { x, y }) => {
+                write!(f, "cell ({x}, {y}) has more than 127 polygons over each other: merge some")
+            }
+            Self::TooSmall { needed, found } => {
+                write!(f, "the buffer has {found} bytes, but the map needs {needed}: lend at least {needed}")
+            }
+            Self::NotSegments => {
+                write!(f, "the bytes do not begin with TSEG: pass those of `build_into`, or of `tilesat bake`")
+            }
+            Self::Version(version) => write!(f, "version {version} of the format is unknown: {AGAIN}"),
+            Self::Reserved => write!(f, "a reserved part of the header is not zero: {AGAIN}"),
             Self::Length { needed, found } => {
-                write!(f, "there are {found} bytes, but the header says {needed}: the file is cut off, or too long")
+                write!(f, "there are {found} bytes, but the header needs {needed}: pass the whole file and no more")
             }
             Self::Checksum { stored, computed } => {
-                write!(f, "the checksum is {computed:#x}, not {stored:#x}: the bytes have changed")
+                write!(f, "the checksum is {computed:#x}, not {stored:#x}, so the bytes have changed: {AGAIN}")
             }
-            Self::Segment { index, fault } => write!(f, "segment {index}: {fault:?}"),
-            Self::Refs(cell) => write!(f, "cell {cell:?} does not list the segments that meet it"),
+            Self::Segment { index, fault } => write!(f, "segment {index} {}: {AGAIN}", fault.text()),
+            Self::Refs(Cell { x, y }) => write!(f, "cell ({x}, {y}) does not list the segments that meet it: {AGAIN}"),
             Self::RefCount { needed, found } => {
-                write!(f, "the cells list {found} references, but the segments need {needed}")
+                write!(f, "the cells list {found} references, but the segments need {needed}: {AGAIN}")
             }
-            Self::Winding(cell) => write!(f, "the winding number of cell {cell:?} is wrong"),
+            Self::Winding(Cell { x, y }) => write!(f, "the winding number of cell ({x}, {y}) is wrong: {AGAIN}"),
+        }
+    }
+}
+
+const AGAIN: &str = "bake the level again";
+const NEAR_ORIGIN: &str = "keep points less than 8192 units from the origin";
+
+impl SegmentFault {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::TooMany => "is one too many, as a map has at most 32768",
+            Self::Length => "has a length below 1",
+            Self::Direction => "has a direction that is zero or has a common divisor",
+            Self::OffGrid => "has an end outside of the grid",
+            Self::Attributes => "has attributes that do not exist or contradict each other",
+            Self::Next => "does not continue in the segment that it names as the next",
         }
     }
 }
@@ -289,21 +332,43 @@ impl SegmentMapError {
     #[doc(hidden)]
     #[must_use]
     pub const fn __text(&self) -> Text {
-        let text = Text { bytes: [0; 80], len: 0 };
+        let text = Text { bytes: [0; 128], len: 0 };
         match *self {
-            Self::Empty => text.and("there are no points"),
-            Self::TooFewPoints { path, .. } => text.at(path, None).and("too few points for its kind"),
-            Self::ZeroLength { path, point } => text.at(path, Some(point)).and("the same as the next point"),
-            Self::OutOfDomain { path, point, .. } => text.at(path, Some(point)).and("out of the domain"),
-            Self::OutsideGrid { path, point } => text.at(path, Some(point)).and("outside of the grid"),
-            Self::NoArea { path } => text.at(path, None).and("a polygon without area"),
-            Self::TooManySegments { path, point } => text.at(path, Some(point)).and("more than 32768 segments"),
-            Self::TooManyRefs { path, point } => {
-                text.at(path, Some(point)).and("more than 65535 segments in cells: use larger cells")
+            Self::Empty => text.and("there are no points: a map needs at least one path"),
+            Self::TooFewPoints { path, points } => {
+                let text = text.at(path, None).and(" has ").number(points);
+                text.and(if points == 1 { " point" } else { " points" }).and(": a polygon needs 3, a chain 2")
             }
-            Self::Grid(_) => text.and("the side of a cell is odd, too small or too large"),
-            Self::TooDeep(_) => text.and("too many polygons lie over each other"),
-            _ => text.and("no level"),
+            Self::ZeroLength { path, point } => {
+                text.at(path, None).and(": point ").number(point).and(" is the same as the next: remove one of them")
+            }
+            Self::OutOfDomain { path, point, what, value } => {
+                let text =
+                    text.at(path, Some(point)).and(if matches!(what, Quantity::X) { ": X = " } else { ": Y = " });
+                text.signed(value).and(" raw is out of range: ").and(NEAR_ORIGIN)
+            }
+            Self::OutsideGrid { path, point } => {
+                text.at(path, Some(point)).and(" is outside the grid: enlarge the grid")
+            }
+            Self::NoArea { path } => text.at(path, None).and(" is a polygon without area: draw it as a wall"),
+            Self::TooManySegments { path, point } => {
+                text.at(path, Some(point)).and(" begins segment 32769 of at most 32768: cut the level in two")
+            }
+            Self::TooManyRefs { path, point } => {
+                text.at(path, Some(point)).and(": the cells list more than 65535 segments: use larger cells")
+            }
+            Self::Grid(TileMapError::Cell(raw)) => {
+                text.and("a cell of ").signed(raw).and(" raw is refused: ").and(CELLS)
+            }
+            Self::Grid(TileMapError::TooManyCells(n)) => text
+                .and("a side of ")
+                .number(n as u32)
+                .and(" cells is longer than 32767: use larger cells, or cut the world into rooms"),
+            Self::TooDeep(Cell { x, y }) => {
+                let text = text.and("cell (").signed(x as i32).and(", ").signed(y as i32);
+                text.and(") has more than 127 polygons over each other: merge some")
+            }
+            _ => text.and("the level does not fit its grid: use larger cells, or move it to the origin"),
         }
     }
 }
@@ -312,7 +377,7 @@ impl SegmentMapError {
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Text {
-    bytes: [u8; 80],
+    bytes: [u8; 128],
     len: usize,
 }
 
@@ -343,9 +408,14 @@ impl Text {
     const fn at(self, path: u32, point: Option<u32>) -> Self {
         let text = self.and("path ").number(path);
         match point {
-            Some(point) => text.and(", point ").number(point).and(": "),
-            None => text.and(": "),
+            Some(point) => text.and(", point ").number(point),
+            None => text,
         }
+    }
+
+    const fn signed(self, n: i32) -> Self {
+        let text = if n < 0 { self.and("-") } else { self };
+        text.number(n.unsigned_abs())
     }
 
     const fn number(self, n: u32) -> Self {

@@ -211,6 +211,7 @@ fn a_refused_change_changes_nothing() {
     assert_eq!(format!("{scene:?}"), before);
     scene.remove(handle).unwrap();
     let stale = SceneError { body: Some(handle), fault: SceneFault::Broad(BroadError::Stale(handle)) };
+    assert_eq!(stale.to_string(), "body 0 (generation 1) was removed: drop its handle");
     assert_eq!(scene.alter(handle, |_| panic!("nobody is asked")), Err(stale));
 }
 

@@ -1,7 +1,7 @@
 //! Refused paths, each with the position of the fault.
 
 use tilesat::PathKind::{Hole, OneWay, Solid, Wall};
-use tilesat::{Cell, Fx, Grid, Quantity, SegmentMap, SegmentMapError, TileMapError, Vec2};
+use tilesat::{Cell, Fx, Grid, Quantity, SegmentMap, SegmentMapError, TileMapError, Vec2, world::SegmentFault};
 use tilesat_judge::paths;
 use tilesat_judge::paths::level::{Point, Shape, bytes, bytes_on, shape, with_paths};
 
@@ -135,9 +135,23 @@ fn errors_say_what_and_where() {
     );
     assert_eq!(text(SegmentMapError::NoArea { path: 3 }), "path 3 is a polygon without area: draw it as a wall");
     let e = SegmentMapError::OutOfDomain { path: 1, point: 2, what: Quantity::X, value: 1 << 29 };
-    assert_eq!(text(e), "path 1, point 2: X = 536870912 raw is out of range (8192 units)");
-    assert_eq!(e.__text().as_str(), "path 1, point 2: out of the domain");
+    assert_eq!(
+        text(e),
+        "path 1, point 2: X = 536870912 raw is out of range: keep points less than 8192 units from the origin"
+    );
     let e = SegmentMapError::TooFewPoints { path: 4_294_967_295, points: 1 };
-    assert_eq!(e.__text().as_str(), "path 4294967295: too few points for its kind");
-    assert_eq!(text(SegmentMapError::TooSmall { needed: 9, found: 8 }), "the buffer has 8 bytes, but the map needs 9");
+    assert_eq!(text(e), "path 4294967295 has 1 point: a polygon needs 3, a chain 2");
+    assert_eq!(
+        text(SegmentMapError::TooSmall { needed: 9, found: 8 }),
+        "the buffer has 8 bytes, but the map needs 9: lend at least 9"
+    );
+    assert_eq!(
+        text(SegmentMapError::Winding(Cell::new(1, 2))),
+        "the winding number of cell (1, 2) is wrong: bake the level again"
+    );
+    let fault = SegmentFault::Direction;
+    assert_eq!(
+        text(SegmentMapError::Segment { index: 3, fault }),
+        "segment 3 has a direction that is zero or has a common divisor: bake the level again"
+    );
 }

@@ -225,6 +225,21 @@ fn fault(corners: &[(i32, i32)], radius: i32, may_be_round: bool) -> Option<Rang
     }
 }
 
+#[test]
+fn refusals_name_a_remedy() {
+    let text = |what, value| RangeError { what, value }.to_string();
+    assert_eq!(
+        text(Quantity::Corners, 4),
+        "a solid keeps its number of corners when it turns: the new shape must have 4"
+    );
+    assert!(text(Quantity::Rounding, 1 << 18).contains("cannot have a radius of 4 (262144 raw): make it a sharp"));
+    assert!(text(Quantity::Area, 0).starts_with("the shape has no area: a solid needs one"));
+    assert!(text(Quantity::Capsule, 1 << 16).starts_with("the capsule is slanted by 1 (65536 raw): make it upright"));
+    assert!(text(Quantity::Capsule, 0).starts_with("the capsule has no radius"));
+    assert!(text(Quantity::Width, 0).ends_with("that of a solid must be above 0"));
+    assert!(text(Quantity::Width, -1).ends_with("the maximum of a box must not be less than its minimum"));
+}
+
 /// A shape is a solid at rest, or has that fault: in constants, in calls, and as any shape.
 macro_rules! judged {
     ($shape:expr, $any:expr, $corners:expr, $radius:expr, $round:expr, $seen:ident) => {{

@@ -138,18 +138,25 @@ fn errors_say_what_and_where() {
     assert_eq!(text(TileMapError::EmptyMap), "the map has no cells: width and height must be at least 1");
     assert_eq!(
         text(TileMapError::TooManyCells(40_000)),
-        "a side of 40000 cells is longer than 32767: cut the world into rooms"
+        "a side of 40000 cells is longer than 32767: use larger cells, or cut the world into rooms"
     );
     assert_eq!(
         text(TileMapError::Cell(3)),
         "a cell of 3 raw is refused: its side must be even, from 256 to 16777216 raw (256 units)"
     );
-    assert_eq!(text(TileMapError::Stride(2)), "a stride of 2 is less than the width: rows would overlap");
-    assert_eq!(text(TileMapError::TooShort { needed: 9, found: 8 }), "the tiles have 8 bytes, but the map needs 9");
+    assert_eq!(text(TileMapError::Stride(2)), "a stride of 2 is less than the width, so rows would overlap: raise it");
+    assert_eq!(
+        text(TileMapError::TooShort { needed: 9, found: 8 }),
+        "the tiles have 8 bytes, but the map needs 9: pass more, or lower its size or stride"
+    );
     assert_eq!(
         text(TileMapError::RowLength { row: 1, expected: 2, found: 3 }),
         "row 1 has 3 characters where row 0 has 2: make them equal"
     );
+    let said = |level| text(TileMap::from_ascii(level, &TileKinds::EMPTY).unwrap_err());
+    assert_eq!(said("..\n."), "row 1 has 1 character where row 0 has 2: make them equal");
+    assert_eq!(said("..\n\n"), "row 1 is empty where row 0 has 2: remove it, or fill it");
+    assert_eq!(said("\n.."), "row 0 is empty: begin the text behind the quote, or open it with \"\\");
     assert_eq!(
         text(TileMapError::NotAscii { row: 1, column: 2 }),
         "the character at row 1, column 2 is not ASCII: use one byte per tile"
@@ -158,7 +165,7 @@ fn errors_say_what_and_where() {
         text(TileMapError::CarriageReturn { row: 1 }),
         "row 1 has a carriage return: end each row with only a line feed"
     );
-    let of_another = "a shape that is not in the map's set: choose another set with `of` or `of_ascii`";
+    let of_another = "a shape that is not in the map's set: choose another set with `of`, `of_ascii` or `of_bytes`";
     assert_eq!(text(TileMapError::ShapeNotInSet { id: 7 }), format!("the table gives tile 7 {of_another}"));
     assert_eq!(text(TileMapError::ShapeNotInSet { id: b'/' }), format!("the table gives tile 47 '/' {of_another}"));
     let out = TileMapError::OutOfDomain { what: Quantity::X, value: 5 };

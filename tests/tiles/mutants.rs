@@ -2,8 +2,8 @@
 //! led to them.
 
 use tilesat::{
-    Aabb, AllShapes, Axis, Cell, Circle, Fx, Grid, Inside, Joined, Mover, Path, PathKind, SegmentMap, SegmentMapError,
-    Side, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, World,
+    Aabb, AllShapes, Axis, Cell, Circle, Fx, Grid, Inside, Joined, Mover, Path, PathKind, Quantity, SegmentMap,
+    SegmentMapError, Side, Solid, Solids, TileKind, TileKinds, TileMap, TileMapError, TileShape, Vec2, World,
     world::{Feature, Geometry, OneWay},
 };
 
@@ -188,11 +188,25 @@ fn offsets_that_fall_name_their_cell() {
 fn refusals_in_constants_name_the_path() {
     let (path, point) = (12, 345);
     for (error, text) in [
-        (SegmentMapError::ZeroLength { path, point }, "path 12, point 345: the same as the next point"),
-        (SegmentMapError::OutsideGrid { path, point }, "path 12, point 345: outside of the grid"),
-        (SegmentMapError::NoArea { path }, "path 12: a polygon without area"),
-        (SegmentMapError::TooManySegments { path, point }, "path 12, point 345: more than 32768 segments"),
+        (SegmentMapError::ZeroLength { path, point }, "path 12: point 345 is the same as the next: remove one of them"),
+        (SegmentMapError::OutsideGrid { path, point }, "path 12, point 345 is outside the grid: enlarge the grid"),
+        (SegmentMapError::NoArea { path }, "path 12 is a polygon without area: draw it as a wall"),
     ] {
         assert_eq!(error.__text().as_str(), text);
+    }
+    let (what, value) = (Quantity::Y, i32::MIN);
+    for error in [
+        SegmentMapError::Empty,
+        SegmentMapError::TooFewPoints { path: u32::MAX, points: 1 },
+        SegmentMapError::TooFewPoints { path: 0, points: 2 },
+        SegmentMapError::OutOfDomain { path, point, what: Quantity::X, value: 1 << 29 },
+        SegmentMapError::OutOfDomain { path: u32::MAX, point: u32::MAX, what, value },
+        SegmentMapError::TooManySegments { path: u32::MAX, point: u32::MAX },
+        SegmentMapError::TooManyRefs { path: u32::MAX, point: u32::MAX },
+        SegmentMapError::Grid(TileMapError::Cell(value)),
+        SegmentMapError::Grid(TileMapError::TooManyCells(40_000)),
+        SegmentMapError::TooDeep(Cell::new(-1, 7)),
+    ] {
+        assert_eq!(error.__text().as_str(), error.to_string());
     }
 }

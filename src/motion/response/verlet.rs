@@ -253,7 +253,10 @@ pub enum RelaxError {
 impl fmt::Display for RelaxError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoPoint { link } => write!(f, "link {link} is not between two of the points"),
+            Self::NoPoint { link } => write!(
+                f,
+                "link {link} names a point that is not in the list: its indices must be below the number of points"
+            ),
             Self::Move { link, error } => write!(f, "link {link}: {error}"),
         }
     }

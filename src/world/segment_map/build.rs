@@ -62,7 +62,7 @@ impl<'a> SegmentMap<'a> {
     /// [`from_bytes`](Self::from_bytes) reads them.
     ///
     /// Cost: twice that of [`measure`](Self::measure). Each edge of a polygon is compared with
-    /// those of the runs near it, and each end of a segment with the segments of its cell.
+    /// those of the runs near it. Each end of a segment is compared with the segments of its cell.
     ///
     /// # Errors
     /// As [`measure`](Self::measure), and [`SegmentMapError::TooSmall`]; `out` is then unchanged.
@@ -372,7 +372,7 @@ const fn set_raw(out: &mut [u8], at: usize, p: Raw) {
 ///
 /// ```compile_fail
 /// # use tilesat::{Path, PathKind, Vec2, fx, segment_map};
-/// // path 0, point 1: the same as the next point
+/// // path 0: point 1 is the same as the next: remove one of them
 /// const LINE: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 32), Vec2::from_ints(64, 32)];
 /// segment_map!(static LEVEL: [Path::new(PathKind::Wall, &LINE)], fx!(32));
 /// # assert_eq!(LEVEL.count(), 4);

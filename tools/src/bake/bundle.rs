@@ -55,10 +55,10 @@ pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
         levels.push(level(map, settings, &mut flags, &mut ids).map_err(of_level)?);
     }
     if levels.is_empty() {
-        return Err(Fail::new("--ignore-level skips every level"));
+        return Err(Fail::new("every level is skipped: remove an --ignore-level"));
     }
     if levels.iter().all(|level| level.tiles.is_none() && level.objects.is_none()) {
-        return Err(Fail::new("nothing is solid: nothing is drawn"));
+        return Err(Fail::new("nothing is drawn, so nothing is solid: draw tiles or shapes"));
     }
     let table = (0..=u8::MAX).zip(ids.kinds()).fold(TileKinds::EMPTY, |table, (id, kind)| table.with(id, *kind));
     for baked in &mut levels {

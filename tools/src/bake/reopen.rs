@@ -62,7 +62,7 @@ pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
     let read = parts.iter().map(|(name, lines)| level(name, &shared, lines, folder).map_err(of_file));
     let levels = read.collect::<Result<Vec<_>>>()?;
     if levels.iter().all(|level| level.tiles.is_none() && level.segments.is_none()) {
-        return Err(of_file("not a level from tilesat bake".to_owned()));
+        return Err(of_file("it is not a level from tilesat bake: give the file that bake wrote".to_owned()));
     }
     Ok(levels)
 }
@@ -78,7 +78,7 @@ fn beside(path: &Path) -> Result<std::path::PathBuf> {
     });
     let missing = || {
         Fail::new(format!(
-            "{}: the file of the same name in .bin.rs, which describes the bytes, is missing",
+            "{}: the file of the same name in .bin.rs, which describes the bytes, is missing: keep both in one folder",
             path.display()
         ))
     };
@@ -91,17 +91,17 @@ fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reo
     let mut tiles = None;
     if let (Some(width), Some(height), Some(tile)) = (number("WIDTH: u16"), number("HEIGHT: u16"), number("TILE: u16"))
     {
-        let bytes = bytes(lines, "pub static TILES: ", folder)?.ok_or("no TILES")?;
+        let bytes = bytes(lines, "pub static TILES: ", folder)?.ok_or("its TILES are missing: bake the level again")?;
         let mut ids = vec![TileKind::EMPTY];
         for (id, kind) in both().filter_map(kind) {
             if id != ids.len() {
-                return Err("the table of kinds is not from the baker".to_owned());
+                return Err("its table of kinds was changed: bake the level again".to_owned());
             }
             ids.push(kind);
         }
         let known = bytes.iter().all(|id| usize::from(*id) < ids.len());
         if !known || bytes.len() != usize::from(width) * usize::from(height) {
-            return Err(format!("{} bytes of tiles for {width}x{height}", bytes.len()));
+            return Err(format!("its {} tiles do not fit {width}x{height} cells: bake the level again", bytes.len()));
         }
         let flags = both()
             .filter_map(|line| line.strip_prefix("pub const ")?.split_once(": u8 = "))
@@ -196,7 +196,8 @@ fn paths(lines: &[&str]) -> Made<Option<Vec<u8>>> {
         } else if let (Some((x, y)), Some(points)) =
             (line.strip_prefix("Vec2::from_ints(").and_then(pair), shapes.points.last_mut())
         {
-            let whole = |v: i32| i16::try_from(v).map_err(|_| format!("{v} is beyond the domain"));
+            let whole =
+                |v: i32| i16::try_from(v).map_err(|_| format!("{v} is beyond the domain: bake the level again"));
             points.push(Vec2::from_ints(whole(x)?, whole(y)?));
         } else if let (Some((x, y)), Some(points)) =
             (line.strip_prefix("Vec2::from_raw(").and_then(pair), shapes.points.last_mut())
@@ -209,7 +210,10 @@ fn paths(lines: &[&str]) -> Made<Option<Vec<u8>>> {
                 ("Wall", PathKind::Wall),
                 ("OneWay", PathKind::OneWay),
             ];
-            let kind = kinds.iter().find(|(name, _)| rest.starts_with(name)).ok_or("a path of no kind")?;
+            let kind = kinds
+                .iter()
+                .find(|(name, _)| rest.starts_with(name))
+                .ok_or("it has a path of an unknown kind: bake the level again")?;
             let flags = rest.split_once(".with_flags(").and_then(|(_, flags)| flags.split(')').next()?.parse().ok());
             shapes.kinds.push((kind.1, flags.unwrap_or(0)));
         } else if let Some(rest) = line.strip_prefix("Fx::lit(\"") {
@@ -220,8 +224,8 @@ fn paths(lines: &[&str]) -> Made<Option<Vec<u8>>> {
         return Ok(None);
     }
     if shapes.kinds.len() != shapes.points.len() {
-        return Err("points without a path".to_owned());
+        return Err("it has points without a path: bake the level again".to_owned());
     }
-    let cell = cell.ok_or("segments without a cell")?;
+    let cell = cell.ok_or("it has segments without a side of cells: bake the level again")?;
     shapes.build(&[], cell).map(Some).map_err(|fail| fail.to_string())
 }

@@ -31,7 +31,10 @@ impl Shapes {
         for outline in outlines {
             let of_object = |why: &dyn std::fmt::Display| Fail::new(format!("{}: {why}", outline.title));
             if outline.kind.has_area() && !outline.closed {
-                return Err(of_object(&format!("a {} that is not closed", outline.kind)));
+                return Err(of_object(&format!(
+                    "a {} that is not closed: draw a polygon, or give it the kind wall",
+                    outline.kind
+                )));
             }
             let mut points = Vec::new();
             for &(x, y) in &outline.points {

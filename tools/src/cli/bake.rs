@@ -107,7 +107,10 @@ fn format(out: &Path) -> Result<Format> {
     match out.extension().and_then(OsStr::to_str) {
         Some("bin") => Ok(Format::Bytes),
         Some("rs") => Ok(Format::Source),
-        _ => Err(Fail::new(format!("{} ends neither in .bin nor in .rs", out.display()))),
+        _ => Err(Fail::new(format!(
+            "{} ends neither in .bin nor in .rs: give the output one of these ends",
+            out.display()
+        ))),
     }
 }
 

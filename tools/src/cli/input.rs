@@ -27,9 +27,10 @@ A tile is solid by the first of these rules that applies:
   b  its shapes of Tiled's collision editor
   c  its layer has a name, class or true property with the word collision, collider
      or solid: every tile drawn there is full
-  d  where nothing is solid so far, its layer is named wall, ground, terrain, platform,
-     block or obstacle. Values of an LDtk IntGrid follow these words too, also dirt,
-     stone, rock, brick, earth, and names of shapes, with flags: SlopeTopLeft_Ice
+  d  if no rule above makes anything solid: its layer is named wall, ground, terrain,
+     platform, block or obstacle. Values of an LDtk IntGrid follow these words too,
+     also dirt, stone, rock, brick, earth, and names of shapes, with flags:
+     SlopeTopLeft_Ice
 All other classes and true properties are flags, at most eight. These options come first:
   --solid NAME[=SHAPE]  tiles of this name are full, or of this shape
   --one-way NAME        tiles of this name are one-way from above

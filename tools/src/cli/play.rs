@@ -106,7 +106,7 @@ fn arena(path: &Path, input: Input) -> Result<Drawn> {
     }
     let (levels, options) = input.load(path)?;
     let first = levels.maps.iter().find(|map| !listed(&options.ignored_levels, &map.name));
-    let map = first.ok_or_else(|| of_file(Fail::new("--ignore-level skips every level")))?;
+    let map = first.ok_or_else(|| of_file(Fail::new("every level is skipped: remove an --ignore-level")))?;
     let bundle = bake::bake(std::slice::from_ref(map), &Settings { options, cell: None }).map_err(of_file)?;
     let [baked] = &bundle.levels[..] else { return Err(of_file(Fail::new("no level"))) };
     Ok((Arena::of(baked).map_err(of_file)?, levels.files, baked.ground.notes.clone()))

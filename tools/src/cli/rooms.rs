@@ -82,7 +82,7 @@ fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
     let file = input::given(file)?;
     let out: PathBuf = out.ok_or_else(|| Fail::new("no -o OUT.rs given (see --help)"))?;
     if out.extension().and_then(OsStr::to_str) != Some("rs") {
-        return Err(Fail::new(format!("{} does not end in .rs", out.display())));
+        return Err(Fail::new(format!("{} does not end in .rs: give the output this end", out.display())));
     }
     Ok(Some(Options { file, out, input, room, body, motion }))
 }

@@ -35,7 +35,10 @@ const MAX_EDGES: usize = 65_534;
 pub fn check(drawing: &Ground, rules: &Rules) -> Result<Findings> {
     let edges = edges::of(&drawing.outlines);
     if edges.len() > MAX_EDGES {
-        return Err(Fail::new(format!("{} edges; a segment map holds {MAX_EDGES}", edges.len())));
+        return Err(Fail::new(format!(
+            "{} edges, but a segment map holds {MAX_EDGES}: cut the level in two",
+            edges.len()
+        )));
     }
     let surface = Level::of(drawing, &[])?.map(surface::of).transpose()?;
     let mut scene = Scene::new(drawing, rules, edges, surface);

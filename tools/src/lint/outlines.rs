@@ -11,8 +11,11 @@ pub(super) fn check(scene: &mut Scene<'_>) {
     for left_out in &scene.drawing.left_out {
         let who = Who { id: left_out.title.id, title: left_out.title.to_string().into(), edge: None };
         let severity = if left_out.suspicious { Warning } else { Note };
-        let then =
-            if left_out.is_listed() { "not solid: bake writes it to OBJECTS" } else { "nothing collides with it" };
+        let then = if left_out.is_listed() {
+            "it is not solid: bake writes it to OBJECTS"
+        } else {
+            "nothing collides with it"
+        };
         scene.say((severity, "left-out"), vec![who], left_out.at, left_out.why.clone(), then);
     }
     for doubt in &scene.drawing.doubts {

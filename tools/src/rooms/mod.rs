@@ -95,7 +95,7 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
         parts.push(Part::of(map, &options, &mut flags, &mut ids).map_err(of_level)?);
     }
     let Some(cell) = parts.first().map(|part| part.cell) else {
-        return Err(Fail::new("--ignore-level skips every level"));
+        return Err(Fail::new("every level is skipped: remove an --ignore-level"));
     };
     if let Some(other) = parts.iter().find(|part| part.cell != cell) {
         let why = "rooms of one world have cells of one size";

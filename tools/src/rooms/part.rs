@@ -104,8 +104,9 @@ impl Part {
     pub(super) fn whole(&self, room: (u16, u16)) -> Result<Whole> {
         let (.., width, height) = self.room;
         let count = |cells: i64| {
-            u16::try_from(cells)
-                .map_err(|_| Fail::new(format!("{cells} cells on a side; a world has at most {}", u16::MAX)))
+            u16::try_from(cells).map_err(|_| {
+                Fail::new(format!("{cells} cells on a side; a world has at most {}: bake its levels apart", u16::MAX))
+            })
         };
         let (width, height) = (count(width)?, count(height)?);
         if u64::from(width) * u64::from(height) > MAX_TILES {

@@ -12,7 +12,7 @@ pub(super) fn near_misses<'a>(names: impl Iterator<Item = &'a str>) -> Vec<(Stri
     let names: BTreeSet<&str> = names.map(str::trim).filter(|name| !name.is_empty()).collect();
     let near = names.into_iter().filter_map(|name| Some((name, near(name)?)));
     near.map(|(name, word)| {
-        let what = format!("it is no word of the rules, and nearly '{word}'; if you mean the flag, add --flag {name}");
+        let what = format!("it is not a word of the rules, but close to '{word}': correct it, or add --flag {name}");
         (format!("the name '{name}'"), what)
     })
     .collect()

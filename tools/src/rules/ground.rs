@@ -90,8 +90,6 @@ impl Ground {
     }
 }
 
-const FALL: &str = "bodies fall through what is not solid";
-
 type Made<T> = std::result::Result<T, String>;
 
 fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
@@ -134,11 +132,15 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     }
     let new = flags.names.iter().skip(named).map(String::as_str).filter(|name| !options.is_flag(name));
     let near = doubts::near_misses(new.chain(classes)).into_iter();
-    doubts.extend(near.map(|(who, what)| Doubt { who, what, why: FALL }));
+    doubts.extend(near.map(|(who, what)| Doubt {
+        who,
+        what,
+        why: "bodies pass through tiles and objects of this name",
+    }));
     let blocks = |kind: &TileKind| super::names::is_solid(kind.shape);
     if outlines.is_empty() && !cells.kinds.is_empty() && !cells.kinds.iter().any(blocks) {
         let what = "it has no solid tile and no solid object".to_owned();
-        doubts.push(Doubt { who: "the level".to_owned(), what, why: FALL });
+        doubts.push(Doubt { who: "the level".to_owned(), what, why: "bodies fall through this level" });
     }
     let Layers { ledger, ignored, notes, .. } = layers;
     let solid = names(&sheets);

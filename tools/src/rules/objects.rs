@@ -78,10 +78,10 @@ pub(super) fn outlines(
         Ok(Err(LeftOut { title, class, at, area, points, named, properties, why, suspicious: false }))
     };
     let Some(corners) = all_corners else {
-        return left_out(if object.form == Form::Text { "a text" } else { "a point" }.to_owned());
+        return left_out(if object.form == Form::Text { "it is a text" } else { "it is a point" }.to_owned());
     };
     if !form::has_extent(object) {
-        return left_out("it has no size: a point".to_owned());
+        return left_out("it has no size, so it is a point".to_owned());
     }
     let shapes = match &object.form {
         Form::Tile(stamp) => piece::stamped(&map.tilesets[stamp.tileset], stamp, object.size),
@@ -99,7 +99,7 @@ pub(super) fn outlines(
             let why = if class.is_empty() {
                 "nothing says that it is solid".to_owned()
             } else {
-                format!("class '{class}' is for the game")
+                format!("its class '{class}' is for the game")
             };
             return left_out(why);
         }
@@ -143,12 +143,12 @@ pub(super) fn outlines(
 /// picture, so its collision shapes alone do not.
 fn of_tile(shapes: usize, layer: &str) -> String {
     let what = match shapes {
-        0 => return "a tile as an object".to_owned(),
+        0 => return "it is a tile as an object, and nothing says that it is solid".to_owned(),
         1 => "whose tile has a collision shape".to_owned(),
         _ => format!("whose tile has {shapes} collision shapes"),
     };
     format!(
-        "a tile as an object, {what}: nothing says that it is solid; give it the class Solid, or add --objects '{layer}'"
+        "it is a tile as an object, {what}, but nothing says that it is solid; give it the class Solid, or add --objects '{layer}'"
     )
 }
 
@@ -159,7 +159,7 @@ fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, 
     let by_form = if matches!(object.form, Form::Polyline(_)) { Kind::Wall } else { Kind::Solid };
     if let Some(name) = object.properties.text("kind") {
         let kind = Kind::from_name(&name);
-        let known = "the kinds are solid, hole, wall and one-way";
+        let known = "choose solid, hole, wall or one-way";
         return kind.map(Some).ok_or_else(|| format!("{whose} has the kind '{name}'; {known}"));
     }
     let own: Vec<String> = names(object).map(str::to_owned).collect();

@@ -55,7 +55,7 @@ fn what_was_left_out_is_a_warning() {
     let parts = [
         ("guess.tmx", "GUESS: nothing marks solid tiles, so layer 'Ground' is solid because of its name"),
         ("left out.tmx", "object 3 'spawn' of layer 'things' at (9000, 0): it is outside of the domain"),
-        ("left out.tmx", "the name 'Sollid': it is no word of the rules, and nearly 'solid'"),
+        ("left out.tmx", "the name 'Sollid': it is not a word of the rules, but close to 'solid'"),
         ("left out.tmx", "property 'loot' of object 4 of layer 'things': a class"),
     ];
     assert_eq!(folder.warnings.len(), parts.len(), "{:?}", folder.warnings);

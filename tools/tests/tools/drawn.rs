@@ -181,7 +181,7 @@ fn a_click_is_a_point() {
         source.contains("pub const OBJECT_SPAWN: ::tilesat::Aabb = area(524288, 2621440, 524288, 2621440);"),
         "{source}"
     );
-    assert!(report.contains("object  object 1 'spawn' of layer 'L': it has no size: a point"), "{report}");
+    assert!(report.contains("object  object 1 'spawn' of layer 'L': it has no size, so it is a point"), "{report}");
 }
 
 #[test]

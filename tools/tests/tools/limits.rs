@@ -69,8 +69,8 @@ fn bombs() {
         let level = rows(&["#"]).replace("width=\"1\" height=\"1\"", &format!("width=\"{width}\" height=\"{height}\""));
         level.replace("encoding=\"csv\">1<", &format!("encoding=\"base64\" compression=\"zlib\">{packed}<"))
     };
-    refused(scratch("limits", "bomb.tmx", map(2, 2)), "has more tiles than its width and height");
-    refused(scratch("limits", "large.tmx", map(4096, 4096)), "has more tiles than its width and height");
+    refused(scratch("limits", "bomb.tmx", map(2, 2)), "has more tiles than its 2x2 cells");
+    refused(scratch("limits", "large.tmx", map(4096, 4096)), "has more tiles than its 4096x4096 cells");
     refused(scratch("limits", "vast.tmx", map(65535, 65535)), "more than 16777216 tiles");
     // Overlapping chunks, each as large as a map may be.
     let chunk = format!(r#"<chunk x="0" y="0" width="4096" height="4096">{packed}</chunk>"#);

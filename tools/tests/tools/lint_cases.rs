@@ -321,8 +321,8 @@ pub(crate) const CASES: &[Case] = &[
         r#"<object id="1" width="32" height="32"/><object id="3" x="1" y="2" width="32" height="32"><text/></object><object id="5" x="3"/>"#,
         "",
         &[
-            "note left-out at (1, 2): object 3 of layer 'L': a text; not solid: bake writes it to OBJECTS",
-            "note left-out at (3, 0): object 5 of layer 'L': it has no size: a point; not solid: bake writes it to OBJECTS",
+            "note left-out at (1, 2): object 3 of layer 'L': it is a text; it is not solid: bake writes it to OBJECTS",
+            "note left-out at (3, 0): object 5 of layer 'L': it has no size, so it is a point; it is not solid: bake writes it to OBJECTS",
         ],
     ),
 ];

@@ -152,7 +152,7 @@ fn json() {
          \"rules\":[{\"rule\":\"a\",\"what\":\"class Solid is full\",\"tiles\":4},\
          {\"rule\":\"a\",\"what\":\"class OneWay is one-way-up\",\"tiles\":1},\
          {\"rule\":\"c\",\"what\":\"objects of layer 'L'\",\"tiles\":1}],\
-         \"ignored\":[\"object 2 'start' of layer 'Spots': a point\"],\"unused\":[],\"warnings\":[],\"notes\":[],\
+         \"ignored\":[\"object 2 'start' of layer 'Spots': it is a point\"],\"unused\":[],\"warnings\":[],\"notes\":[],\
          \"objects\":[{\"id\":2,\"class\":\"\",\"name\":\"start\",\"layer\":\"Spots\",\"area\":[0.0,0.0,0.0,0.0],\
          \"points\":[],\"properties\":{\"to\":[7,true,\"x\"]}}],\"flash_bytes\":667}\n"
     );

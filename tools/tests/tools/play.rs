@@ -178,7 +178,7 @@ fn bad_files() {
         ("zero", small.replace("=\"8\"", "=\"0\""), "pixels"),
         ("wide", map(2048, 1, 8, &vec!["1"; 2048].join(",")), "beyond the domain"),
         ("huge", map(4_000_000_000, 4_000_000_000, 8, "1"), "more than 16777216 tiles"),
-        ("short", map(12, 20, 8, "1,1,1,0"), "4 tiles, fewer than its width and height"),
+        ("short", map(12, 20, 8, "1,1,1,0"), "4 tiles, but 12x20 cells need 240: save the map again in Tiled"),
         ("letters", map(3, 1, 8, "1,x,1"), "layer 'World': 'x' is not a tile"),
         ("no_layer", small.replace("<layer", "<strata").replace("</layer", "</strata"), "nothing is solid"),
         (

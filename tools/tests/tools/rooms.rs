@@ -333,7 +333,7 @@ fn warnings_and_notes() {
         // A name is doubtful once in all levels.
         let first = levels[0];
         let mut lines =
-            vec![format!("warning {first}the name 'Sollid': it is no word of the rules, and nearly 'solid'")];
+            vec![format!("warning {first}the name 'Sollid': it is not a word of the rules, but close to 'solid'")];
         lines.extend(
             levels.iter().map(|level| format!("note    {level}GUESS: nothing marks solid tiles, so layer 'Walls'")),
         );

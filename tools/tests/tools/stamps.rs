@@ -126,9 +126,9 @@ fn shapes_alone_are_not_solid() {
     let found = ground("alone", &text, &Options::default());
     assert!(found.outlines.is_empty());
     let why: Vec<&str> = found.left_out.iter().map(|object| object.why.as_str()).collect();
-    let wanted = "a tile as an object, whose tile has a collision shape: nothing says that it is solid; \
+    let wanted = "it is a tile as an object, whose tile has a collision shape, but nothing says that it is solid; \
                   give it the class Solid, or add --objects 'things'";
-    assert_eq!(why, [wanted, "a tile as an object"]);
+    assert_eq!(why, [wanted, "it is a tile as an object, and nothing says that it is solid"]);
     let settings = bake::Settings::default();
     let levels = read::load(&scratch("stamps", "listed.tmx", &text), None).unwrap();
     assert!(bake::bake(&levels.maps, &settings).unwrap().source().contains("OBJECT_CRATE"));

@@ -173,7 +173,9 @@ impl Reader<'_> {
             }
             if let Some(uid) = layer.tileset {
                 let known = self.definitions.tilesets.iter().position(|set| set.uid == uid);
-                let index = known.ok_or_else(|| of_layer(format!("defs.tilesets has no uid {uid}")))?;
+                let index = known.ok_or_else(|| {
+                    of_layer(format!("defs.tilesets has no uid {uid}: save the project again in LDtk"))
+                })?;
                 let own = Some(self.definitions.tilesets[index].tile_grid_size).filter(|own| *own > 0);
                 if let Some(own) = own.filter(|own| *own > Tileset::MAX_SIDE) {
                     return Err(of_layer(format!("tiles of {own} pixels; a side has at most {}", Tileset::MAX_SIDE)));
@@ -231,7 +233,10 @@ impl Reader<'_> {
             if layer.values.is_empty() {
                 return Err(self.too_old("it has no intGridCsv"));
             }
-            return Err(format!("{} values for {width}x{height} cells", layer.values.len()));
+            return Err(format!(
+                "{} values for {width}x{height} cells: save the project again in LDtk",
+                layer.values.len()
+            ));
         }
         let mut cells = Vec::with_capacity(layer.values.len());
         let mut last = (0, 0);
@@ -252,7 +257,8 @@ impl Reader<'_> {
         }
         let uid = layer.definition;
         let definition = self.definitions.layers.iter().find(|definition| definition.uid == uid);
-        let definition = definition.ok_or_else(|| format!("defs.layers has no uid {uid}"))?;
+        let definition =
+            definition.ok_or_else(|| format!("defs.layers has no uid {uid}: save the project again in LDtk"))?;
         let named = definition.values.iter().find(|named| named.value == number);
         let name = named.and_then(|named| named.identifier.clone()).filter(|name| !name.is_empty());
         let place = palette.all.len() as u32;

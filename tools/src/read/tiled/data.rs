@@ -14,27 +14,36 @@ pub(super) struct Form<'a> {
     pub(super) compression: Option<&'a str>,
 }
 
+impl Form<'_> {
+    fn cells(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
+    }
+}
+
 /// As many numbers as there are cells.
 pub(super) fn gids(data: Data, form: &Form<'_>) -> Result<Vec<u32>, String> {
-    let cells = u64::from(form.width) * u64::from(form.height);
+    let cells = form.cells();
     let gids = match data {
         Data::List(gids) => gids,
         Data::Text(text) => match form.encoding {
-            Some("csv") => numbers(&text, cells)?,
+            Some("csv") => numbers(&text, form)?,
             // In old versions, JSON has no encoding for text in base64 without compression.
-            Some("base64") | None => bytes(&text, packing(form.compression)?, cells)?,
-            Some(other) => return Err(format!("encoding '{other}' is unknown")),
+            Some("base64") | None => bytes(&text, form)?,
+            Some(other) => return Err(format!("encoding '{other}' is unknown: save the map again in Tiled")),
         },
     };
     match (gids.len() as u64).cmp(&cells) {
         std::cmp::Ordering::Equal => Ok(gids),
-        std::cmp::Ordering::Less => Err(format!("{} tiles, fewer than its width and height", gids.len())),
-        std::cmp::Ordering::Greater => Err(too_long()),
+        std::cmp::Ordering::Less => {
+            let (count, width, height) = (gids.len(), form.width, form.height);
+            Err(format!("{count} tiles, but {width}x{height} cells need {cells}: save the map again in Tiled"))
+        }
+        std::cmp::Ordering::Greater => Err(too_long(form)),
     }
 }
 
-fn too_long() -> String {
-    "it has more tiles than its width and height".to_owned()
+fn too_long(form: &Form<'_>) -> String {
+    format!("it has more tiles than its {}x{} cells: save the map again in Tiled", form.width, form.height)
 }
 
 fn packing(name: Option<&str>) -> Result<Packing, String> {
@@ -43,31 +52,32 @@ fn packing(name: Option<&str>) -> Result<Packing, String> {
         Some("zlib") => Ok(Packing::Zlib),
         Some("gzip") => Ok(Packing::Gzip),
         Some("zstd") => Ok(Packing::Zstd),
-        Some(other) => Err(format!("compression '{other}' is unknown")),
+        Some(other) => Err(format!("compression '{other}' is unknown: save the map again in Tiled")),
     }
 }
 
-fn numbers(text: &str, cells: u64) -> Result<Vec<u32>, String> {
+fn numbers(text: &str, form: &Form<'_>) -> Result<Vec<u32>, String> {
     let mut gids = Vec::new();
     let text = text.trim().trim_end_matches(',');
     if text.is_empty() {
         return Ok(gids);
     }
     for number in text.split(',') {
-        if gids.len() as u64 == cells {
-            return Err(too_long());
+        if gids.len() as u64 == form.cells() {
+            return Err(too_long(form));
         }
         let number = number.trim();
-        gids.push(number.parse().map_err(|_| format!("'{number}' is not a tile"))?);
+        gids.push(number.parse().map_err(|_| format!("'{number}' is not a tile: save the map again in Tiled"))?);
     }
     Ok(gids)
 }
 
-fn bytes(text: &str, packing: Packing, cells: u64) -> Result<Vec<u32>, String> {
-    let bytes = unpack(text.as_bytes(), packing, cells.saturating_mul(4)).map_err(|e| format!("cannot unpack: {e}"))?;
-    let bytes = bytes.ok_or_else(too_long)?;
+fn bytes(text: &str, form: &Form<'_>) -> Result<Vec<u32>, String> {
+    let (packing, most) = (packing(form.compression)?, form.cells().saturating_mul(4));
+    let bytes = unpack(text.as_bytes(), packing, most).map_err(|e| format!("cannot unpack: {e}"))?;
+    let bytes = bytes.ok_or_else(|| too_long(form))?;
     if bytes.len() % 4 != 0 {
-        return Err("its bytes end within a tile".to_owned());
+        return Err("its bytes end within a tile: save the map again in Tiled".to_owned());
     }
     Ok(bytes.chunks_exact(4).map(|word| word.iter().rev().fold(0, |all, &byte| all << 8 | u32::from(byte))).collect())
 }

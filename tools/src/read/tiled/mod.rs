@@ -184,7 +184,7 @@ impl Reader<'_> {
         }
         if chunks.is_empty() {
             self.count(form.width, form.height)?;
-            let data = data.ok_or("it has no data")?;
+            let data = data.ok_or("it has no data: save the map again in Tiled")?;
             let cells = self.places(data, form)?;
             return Ok(Tiles {
                 tile: self.tile,
@@ -215,7 +215,7 @@ impl Reader<'_> {
         for chunk in chunks {
             let form = Form { width: chunk.width, height: chunk.height, ..*form };
             let of_chunk = |why: String| format!("the chunk at ({}, {}): {why}", chunk.x, chunk.y);
-            let data = chunk.data.ok_or_else(|| of_chunk("it has no data".to_owned()))?;
+            let data = chunk.data.ok_or_else(|| of_chunk("it has no data: save the map again in Tiled".to_owned()))?;
             let places = self.places(data, &form).map_err(of_chunk)?;
             let (x, y) = ((chunk.x - left) as usize, (chunk.y - top) as usize);
             for (row, line) in places.chunks(chunk.width.max(1) as usize).enumerate() {

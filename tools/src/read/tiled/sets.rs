@@ -55,7 +55,7 @@ impl Sets {
         let index = self.index(set, folder, files)?;
         match self.first.insert(first, index) {
             None => Ok(()),
-            Some(_) => Err(format!("two tilesets begin at tile {first}")),
+            Some(_) => Err(format!("two tilesets begin at tile {first}: save the map again in Tiled")),
         }
     }
 
@@ -77,11 +77,11 @@ impl Sets {
 
     fn push(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<usize> {
         if self.all.len() == MAX_SETS {
-            return Err(format!("more than {MAX_SETS} tilesets"));
+            return Err(format!("more than {MAX_SETS} tilesets: join some in Tiled"));
         }
         self.tiles = self.tiles.saturating_add(set.tiles.0.len());
         if self.tiles > MAX_TILES as usize {
-            return Err(format!("tilesets that describe more than {MAX_TILES} tiles"));
+            return Err(format!("tilesets that describe more than {MAX_TILES} tiles: remove tiles, or whole tilesets"));
         }
         let set = tileset(set, folder, &mut self.templates, files)?;
         self.all.push(Rc::new(set));
@@ -146,14 +146,17 @@ impl Sets {
             return Ok(None);
         }
         let Some((first, index)) = known.filter(|(first, _)| *first <= gid) else {
-            return Err(format!("tile {gid} belongs to no tileset"));
+            return Err(format!("tile {gid} belongs to no tileset: erase it, or add its tileset to the map"));
         };
         let (set, id) = (&self.all[index], gid - first);
         if set.has(id) {
             Ok(Some((index, id, flip)))
         } else {
             let count = set.count.unwrap_or(0);
-            Err(format!("tile {gid} belongs to no tileset: it would be tile {id} of '{}', which has {count}", set.name))
+            let name = &set.name;
+            Err(format!(
+                "tile {gid} belongs to no tileset: it would be tile {id} of '{name}', which has {count} tiles; erase it, or add tiles"
+            ))
         }
     }
 }
