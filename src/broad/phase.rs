@@ -401,8 +401,8 @@ pub trait BroadPhase: Spatial {
     ///
     /// # Errors
     /// [`Range`](QueryError::Range) if an end of the ray is outside the
-    /// [domain](crate::num::DOMAIN): `out` is empty then; [`Truncated`](QueryError::Truncated) if
-    /// they do not fit: `out` then holds the earliest ones.
+    /// [domain](crate::num::DOMAIN); `out` is then empty. [`Truncated`](QueryError::Truncated) if
+    /// the bodies do not fit; `out` then holds the earliest ones.
     fn cast_ray(
         &self,
         origin: Vec2,

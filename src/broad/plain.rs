@@ -219,8 +219,8 @@ impl PairScan for EachScan<'_> {
 /// changed places. After 8 N shifts, for example if all bodies were placed elsewhere, it runs a
 /// heap sort of N log N steps. A frame of 256 bodies takes a Cortex-M0 some 40 000 instructions, or
 /// 190 000 if all were placed elsewhere. Then comes a test of boxes for every two that touch in x,
-/// and one more per body: N (N - 1) / 2 if all touch in x. Nothing is sorted if nothing moved, or
-/// if an enumeration [continues](crate::broad::BroadPhase::pairs_from).
+/// and one more per body. If all touch in x, there are N (N - 1) / 2. Nothing is sorted if nothing
+/// moved, or if an enumeration [continues](crate::broad::BroadPhase::pairs_from).
 ///
 /// An insertion or a move is a store. A query of a region or a point tests the box of every body.
 /// After an enumeration, as long as nothing moves, it tests only those that begin before the

@@ -5,9 +5,15 @@ use crate::shape::{Aabb, AnyShape, Capsule, Circle, ConvexPolygon, OrientedBox};
 use crate::world::World;
 use core::cmp::Ordering;
 
-/// A shape that [`Mover::move_and_slide`](super::Mover::move_and_slide) can move: [`Aabb`],
-/// [`Circle`], a [`Capsule`] that stands or lies, [`OrientedBox`], [`ConvexPolygon`], an
-/// [`AnyShape`] of any of them, or a [`Compound`](crate::shape::Compound) of parts that are bodies.
+/// A shape that can move.
+///
+/// - [`Aabb`] and [`Circle`].
+/// - A [`Capsule`] that stands or lies.
+/// - [`OrientedBox`] and [`ConvexPolygon`].
+/// - An [`AnyShape`] of any of them.
+/// - A [`Compound`](crate::shape::Compound) of parts that are bodies.
+///
+/// [`Mover::move_and_slide`](super::Mover::move_and_slide) moves it through a level.
 ///
 /// None of them turns during a call. A slanted capsule moves only as an [`AnyShape`]. As a
 /// `Capsule` it is refused with a [`RangeError`](crate::RangeError) of
@@ -20,8 +26,9 @@ use core::cmp::Ordering;
 ///
 /// Sealed: its kernels are part of the exactness argument.
 pub trait Body: kernel::Kernel {
-    /// The reference position. It is the minimum corner of a box, the centre of a circle or an
-    /// oriented box, the first end of a capsule's core, or the first vertex of a polygon.
+    /// The reference position. It is the minimum corner of a box, and the centre of a circle or an
+    /// oriented box. For a capsule it is the first end of its core, and for a polygon its first
+    /// vertex.
     fn position(&self) -> Vec2;
 }
 

@@ -75,7 +75,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     ///
     /// # Errors
     /// [`RangeError`] if a component of the motion or a half extent is not below 2^28 raw (4096
-    /// units), the motion would leave the [domain](crate::num::DOMAIN), or it visits more than
+    /// units). Also if the motion would leave the [domain](crate::num::DOMAIN), or visits more than
     /// [`Mover::CELLS`](crate::Mover::CELLS) cells.
     #[doc(alias("sweep", "shapecast", "swept AABB"))]
     pub fn cast_shape<B: Body>(

@@ -41,10 +41,11 @@ const PUSHES: u32 = 4;
 /// Pushes a body out of the solid, at most four times, and returns it at the free position. A body
 /// that is already free is returned unchanged.
 ///
-/// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts): the
-/// nearest, by the depth rounded up to raw units, at most 4 raw more. So a push never goes farther
-/// than the surface that the body reaches. There is no way out deep inside the solid, where the
-/// body reaches no surface, and in gaps narrower than the body. One-way faces do not count.
+/// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts), which is
+/// the nearest. It is the depth, rounded up to raw units, and at most 4 raw more. So a push never
+/// goes farther than the surface that the body reaches. There is no way out deep inside the solid,
+/// where the body reaches no surface, and in gaps narrower than the body. One-way faces do not
+/// count.
 ///
 /// **It finds no way out of a door that is wider than the body** once the body is between both
 /// sides: it reaches neither. Take a body 10 wide in a door of one tile, from x = 32 to 48. At x =

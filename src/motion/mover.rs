@@ -46,8 +46,8 @@ impl Mover {
 
     /// The most cells that one motion may visit, counted for each of its
     /// [pieces](Self::move_and_slide). A motion that visits more cells is refused. The limit is a
-    /// square of 512 cells a side, or 4096 units per call for a body of one cell where a cell is a
-    /// unit.
+    /// square of 512 cells a side. A body of one cell, where a cell is a unit, may move 4096 units
+    /// per call.
     pub const CELLS: u32 = CELLS;
 
     /// A mover without an "up", for top-down games: every hit is a wall.
@@ -170,7 +170,7 @@ impl<S: Law> Mover<S> {
     ///
     /// Gravity must act in that frame: the body passes only what it moves into. A body that stands
     /// without a downward velocity stays on the platform. One frame is enough if it moves into the
-    /// face by a raw unit or more: then the body is no longer entirely in front of it. One-way
+    /// face by a raw unit or more. The body is then no longer entirely in front of it. One-way
     /// [`Solid`](crate::Solid)s do not carry a mover that drops through, either.
     ///
     /// ```
@@ -212,9 +212,9 @@ impl<S: Law> Mover<S> {
     /// The body is swept, so no speed tunnels. It ends exactly on the faces along x and y that it
     /// hits, and they change the motion exactly. So a box that lands still makes its whole sideways
     /// motion. At a slope, a corner or an arc it ends at most 2 raw early, and never inside. If it
-    /// is wedged and no lattice point near the contact is free, it ends 4, 8, 16 raw or so early,
-    /// as far back as the gap requires. If none is free there either, it ends where that piece of
-    /// its motion began.
+    /// is wedged and no lattice point near the contact is free, it ends 4, 8, 16 raw or so early.
+    /// The gap decides how far. If none is free there either, it ends where that piece of its
+    /// motion began.
     ///
     /// The remaining velocity is the longest projection of the velocity that no surface blocks.
     /// Only surfaces that the body touches *at that position* count. Surfaces that it has left do
@@ -233,10 +233,10 @@ impl<S: Law> Mover<S> {
     /// report a body inside the solid. Use `overlaps` of the level to test for that.
     ///
     /// Mirrored scenes give mirrored bits, with two exceptions. A circle that meets two corners,
-    /// slopes or arcs at once and equally squarely takes the one toward +x first. A corner of a
-    /// polygon or oriented box that meets a corner may end a raw unit off, or bounce off the other
-    /// side (1 of 100 000 motions). Translated scenes give the same bits. So do scenes with x and y
-    /// exchanged, except for ties (x wins) and a raw unit at corners.
+    /// slopes or arcs at once and equally squarely takes the one toward +x first. If a corner of a
+    /// polygon or oriented box meets a corner, it may end a raw unit off, or bounce off the other
+    /// side. That happens in 1 of 100 000 motions. Translated scenes give the same bits. So do
+    /// scenes with x and y exchanged, except for ties (x wins) and a raw unit at corners.
     ///
     /// Cost: one look at each cell under the motion, if all are empty. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A

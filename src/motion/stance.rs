@@ -5,7 +5,7 @@ use crate::num::Axis;
 
 impl<B> Character<B> {
     /// The floor that it stands on. A round body that goes over an edge may already have the floor
-    /// ahead, which is lower by up to the [snap](crate::Feel::snap), or higher by up to the
+    /// ahead. That floor is lower by up to the [snap](crate::Feel::snap), or higher by up to the
     /// [step](crate::Feel::step).
     #[must_use]
     pub const fn floor(&self) -> Option<Support> {
@@ -31,8 +31,8 @@ impl<B> Character<B> {
     }
 
     /// The normal of the wall that it ran against in the last [`coyote`](crate::Feel::coyote)
-    /// frames, if it has not jumped off it since: [`Axis::NEG_X`] if the wall is on its right,
-    /// [`Axis::X`] on its left.
+    /// frames, if it has not jumped off it since. It is [`Axis::NEG_X`] if the wall is on its
+    /// right, and [`Axis::X`] if it is on its left.
     ///
     /// A [wall jump](crate::Feel::wall_jump) off it leads along this direction, and is possible
     /// while this is `Some` and the character is in the air. For a steep slope it is the nearer of

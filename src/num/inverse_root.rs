@@ -85,9 +85,9 @@ impl InverseRoot {
 /// The exact floor of `s / sqrt(n)`, for quotients below 2^31; `u32::MAX` for others, or where `n`
 /// is zero.
 ///
-/// Starts from the reciprocal square root and settles by comparing `q^2 n` with `s^2` in 128 bits:
-/// one comparison more than the candidate is short, at most 9, and at most 1 for quotients below
-/// 2^27.
+/// Starts from the reciprocal square root and settles by comparing `q^2 n` with `s^2` in 128 bits.
+/// It makes one comparison more than the candidate is short. The candidate is short by at most 9,
+/// and by at most 1 for quotients below 2^27.
 #[inline(never)]
 #[must_use]
 pub const fn div_sqrt(s: u64, n: u64) -> u32 {

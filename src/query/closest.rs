@@ -207,7 +207,7 @@ impl Circle {
     /// The point of the disc that is nearest to `p`: `p` itself if it is inside.
     ///
     /// Each component is the exact one rounded to nearest, so the point may be half a raw unit
-    /// outside the circle; mirrored points give mirrored bits. `p` may be anywhere. Cost: two
+    /// outside the circle. Mirrored points give mirrored bits. `p` may be anywhere. Cost: two
     /// quotients by a root, some 1150 instructions on a Cortex-M0.
     ///
     /// ```
@@ -269,10 +269,10 @@ impl Square {
 /// are less than a raw unit apart; [`touches`](super::Touches::touches) distinguishes these cases.
 /// `a.distance(&b)` is `b.distance(&a)`.
 ///
-/// Cost: at most one square root, about 300 instructions on a Cortex-M0 (500 to 950 for a sloped
-/// segment); four to six times that for a sloped segment against a box or a segment. It cannot
-/// fail. Points may be anywhere. The distance to a point outside the [domain](crate::num::DOMAIN)
-/// may exceed `Fx`, and is then `Fx::MAX`.
+/// Cost: at most one square root. It takes about 300 instructions on a Cortex-M0, and 500 to 950
+/// for a sloped segment. A sloped segment against a box or a segment takes four to six times that.
+/// It cannot fail. Points may be anywhere. The distance to a point outside the
+/// [domain](crate::num::DOMAIN) may exceed `Fx`, and is then `Fx::MAX`.
 ///
 /// ```
 /// use tilesat::prelude::*;

@@ -30,12 +30,12 @@
 //! Mirrored scenes may give other bits in these cases:
 //!
 //! - Degenerate contacts: their axis follows the conventions below, and their points depend on it.
-//! - Points in the middle of facing sides, of a contact or of nearest points: the middle is rounded
+//! - Points in the middle of facing sides, of a contact or of nearest points. The middle is rounded
 //!   down, so it may be a raw unit off. For slanted sides it is at most two off.
-//! - Nearest points of slanted parallel sides: they are at the lexicographically first end of the
-//!   facing parts, so in a mirrored scene they may be at the other end.
-//! - The axis of a cast by a motion along x or y. If it meets two sides or corners at the same
-//!   moment, and their axes mirror each other at the motion, it takes the one to its left (y up).
+//! - Nearest points of slanted parallel sides. They are at the lexicographically first end of the
+//!   facing parts. So in a mirrored scene they may be at the other end.
+//! - The axis of a cast by a motion along x or y. It may meet two sides or corners at the same
+//!   moment, whose axes mirror each other at the motion. It then takes the one to its left (y up).
 //! - Equally deep points of a manifold: the order of the two.
 //!
 //! Exchanging x and y also changes the choices that prefer x.

@@ -45,7 +45,7 @@ pub enum SceneEvent<'a> {
         velocity: Vec2,
     },
     /// A body could not be moved: it overlaps the level, its motion is too long, or it would leave
-    /// the domain or the broad phase. It stays where it was, and has no velocity any more.
+    /// the domain or the broad phase. It stays where it was, and its velocity is now zero.
     Held(SceneError),
 }
 

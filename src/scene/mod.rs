@@ -93,8 +93,8 @@
 //!
 //! # Fast bodies
 //!
-//! A body is fast if it moves by more than half of its smaller side in a step, by its velocity and
-//! by pushes, or if it is [flagged](SceneBody::fast). A test of only its start would miss the
+//! A body is fast if its velocity and its pushes move it by more than half of its smaller side in a
+//! step. A [flagged](SceneBody::fast) body is always fast. A test of only its start would miss the
 //! bodies on its path. A fast body moves from event to event. It moves up to its first hit, the
 //! level or a body, found by the exact cast of two that [both
 //! move](crate::query::CastShape::cast_moving). There it bounces or slides, and continues for the
@@ -157,8 +157,8 @@
 //! [`AnyShape`](crate::shape::AnyShape) there.
 //!
 //! **Moving platforms** are [`Solid`](crate::Solid)s or
-//! [`ConvexSolid`](crate::world::ConvexSolid)s: [`ride`](crate::Scene::ride) moves them, with the
-//! bodies that they carry and push, and each step takes them in a [`Joined`](crate::Joined) level.
+//! [`ConvexSolid`](crate::world::ConvexSolid)s. [`ride`](crate::Scene::ride) moves them, with the
+//! bodies that they carry and push. Each step takes them in a [`Joined`](crate::Joined) level.
 //! Without `ride` a solid only blocks, and a body that it enters is [held](SceneEvent::Held).
 //!
 //! They can also be `fixed` bodies that the game [places](crate::Scene::place). Those push by their
@@ -167,9 +167,9 @@
 //! friction: if two bodies meet, the surface that bounces more is used, or else the one with less
 //! friction. A conveyor is such a body that you do not move.
 //!
-//! If you place a platform without setting its velocity, it pushes as it rises, and slides away
-//! below its load as it moves sideways or down. A body that it crushes against the level overlaps
-//! it, and is reported.
+//! If you place a platform without setting its velocity, it pushes as it rises. As it moves
+//! sideways or down, it slides away below its load. A body that it crushes against the level
+//! overlaps it, and is reported.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SortSweepScene};
@@ -237,14 +237,13 @@
 //! [`overlapping`](Scene::overlapping), [`touching`](Scene::touching) and
 //! [`at_point`](Scene::at_point) list the bodies at a position.
 //!
-//! **Ghosts, bullets, pick-ups**: a [`Reply`] for each pair, from your closure in
-//! [`step_with`](Scene::step_with), decides whether two bodies ignore or cross each other, slide,
-//! touch or bounce. A [`Filter`](crate::Filter) costs less if whole groups ignore each other. For
-//! the level, use [`SceneBody::responses`] for surfaces that stop the body, or
-//! [`Responses::otherwise`](crate::motion::Responses::otherwise) for a bullet that stops at all of
-//! them. By default a body slides along a wall, and may meet others behind it in the same step. Use
-//! [`step_in`](Scene::step_in) for tiles that it passes. [`step_along`](Scene::step_along) reports
-//! those.
+//! **Ghosts, bullets, pick-ups**: your closure in [`step_with`](Scene::step_with) returns a
+//! [`Reply`] for each pair: ignore, cross, slide, touch or bounce. A [`Filter`](crate::Filter)
+//! costs less if whole groups ignore each other. For the level, use [`SceneBody::responses`] for
+//! surfaces that stop the body, or [`Responses::otherwise`](crate::motion::Responses::otherwise)
+//! for a bullet that stops at all of them. By default a body slides along a wall, and may meet
+//! others behind it in the same step. Use [`step_in`](Scene::step_in) for tiles that it passes.
+//! [`step_along`](Scene::step_along) reports those.
 //!
 //! **Tiles that only some bodies meet**: give the tiles flags, and list the flags that each kind of
 //! body passes. [`TileKinds::passing`](crate::TileKinds::passing) makes a table of tiles for each

@@ -26,11 +26,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// The first body that a ray from `origin` along `motion` hits, for which `wanted` is true;
     /// `None` if the ray ends before. For hitscan weapons, lasers and lines of sight.
     ///
-    /// Each body is hit as its shape is, by [`Circle::cast_ray`](crate::Circle::cast_ray) and its
-    /// kin: closed and exact. Bodies that sleep, fixed bodies and sensors count, at their current
-    /// positions. `wanted` is called at most once per body, for bodies whose boxes the ray touches.
-    /// Exclude the shooter by its handle, and choose layers by the body's
-    /// [filter](SceneBody::filter).
+    /// Each body is hit by the `cast_ray` of its shape, such as
+    /// [`Circle::cast_ray`](crate::Circle::cast_ray): closed and exact. Bodies that sleep, fixed
+    /// bodies and sensors count, at their current positions. `wanted` is called at most once per
+    /// body, for bodies whose boxes the ray touches. Exclude the shooter by its handle, and choose
+    /// layers by the body's [filter](SceneBody::filter).
     ///
     /// The times of all shapes are compared by their exact floors in parts of 2^30 of the motion.
     /// At the same time the smaller [key](SceneBody::key) comes first, then the smaller slot. So

@@ -5,9 +5,9 @@ use crate::world::sealed::Sealed;
 
 /// How two bodies respond when they meet. The names are those of bump.lua.
 ///
-/// A reply applies to a pair, so it can depend on both: a bullet crosses friends, a ghost ignores
-/// crates, a ball bounces off one kind of body and sticks to another. In piles, a body that lies on
-/// another one is carried, whatever the reply at its landing is.
+/// A reply applies to a pair, so it can depend on both bodies. A bullet crosses friends, and a
+/// ghost ignores crates. A ball bounces off one kind of body and sticks to another. In piles, a
+/// body that lies on another one is carried, whatever the reply at its landing is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

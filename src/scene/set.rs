@@ -11,16 +11,16 @@ use crate::num::{Fx, MOTION, check_motion};
 /// When bodies fall asleep: after `steps` steps of rest, of all bodies that touch, directly or not.
 ///
 /// In a step of rest a body moves by less than `still` on either axis. A faster step is also one of
-/// rest, if the body has moved no farther than `still` times `steps` since its rest began. (That
-/// limit is at least the gravity of two steps, and at most a unit.) Without this rule, bodies in a
+/// rest, if the body has moved no farther than `still` times `steps` since its rest began. That
+/// limit is at least the gravity of two steps, and at most a unit. Without this rule, bodies in a
 /// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
 /// into the level or into another body. A step in the air does not count, and does not end the
 /// rest. In its last step of rest something must hold it from below: a ball that rolls off a corner
 /// stays awake. A body that wakes because another one touches it keeps its steps of rest.
 ///
-/// Without friction, heaps of round bodies in a funnel may stay awake for ever: 9 of 38 pairs of
-/// capsules did, and most heaps of six and more. Friction mostly ends that. Between slopes that are
-/// steeper than 45 degrees, it often does not.
+/// Without friction, heaps of round bodies in a funnel may stay awake for ever. 9 of 38 pairs of
+/// capsules did, and so did most heaps of six and more. Friction mostly ends that. Between slopes
+/// that are steeper than 45 degrees, it often does not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {

@@ -124,10 +124,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// What a ray from `origin` along `motion` hits first: the level, or a body for which `wanted`
     /// is true. `None` if the ray ends before. For hitscan weapons, lasers and lines of sight.
     ///
-    /// It is the earlier one of the level's [`cast_ray`](RayWorld::cast_ray) and of the scene's
-    /// own [`cast_ray`](Self::cast_ray), which explain their rules. At the same time (in parts of
-    /// 2^30) the level comes first. The [time](RayHit::toi) of a level's arc may be early by up to
-    /// a raw unit, so an arc just behind a body can be reported in its place.
+    /// It is the earlier one of the level's [`cast_ray`](RayWorld::cast_ray) and of the scene's own
+    /// [`cast_ray`](Self::cast_ray), which explain their rules. At the same time (in parts of 2^30)
+    /// the level comes first. The [time](RayHit::toi) of a level's arc may be early by up to a raw
+    /// unit. So an arc just behind a body can be reported in its place.
     ///
     /// Sensors count, too: leave them out by `!body.filter.sensor()`.
     ///
@@ -170,8 +170,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         Ok(body.map(FirstHit::Body).or(wall.map(FirstHit::Level)))
     }
 
-    /// What a shape hits first as it moves by `motion`, and how far it may move: the level stops
-    /// it, and each body for which `wanted` is true. `None` if it may move by all of `motion`.
+    /// Finds the first surface or body that a shape hits as it moves by `motion`, and how far it
+    /// may move. The level stops it, and so does each body for which `wanted` is true. `None` if it
+    /// may move by all of `motion`.
     ///
     /// For a dash or a thrown body: add [`displacement`](SceneCast::displacement). Nothing slides,
     /// and a motion along a slanted wall that the shape touches may hit it at 0 by rounding. The

@@ -52,8 +52,8 @@ impl<const N: usize> ConvexPolygon<N> {
     ///
     /// # Errors
     /// [`PolygonError`]: fewer than three or more than `N` corners, or a path that winds around
-    /// twice. Also a corner that is outside of the [domain](crate::num::DOMAIN), repeated, on a
-    /// line with its neighbours, or that turns in the other direction than the first.
+    /// twice. Also if a corner is outside of the [domain](crate::num::DOMAIN), repeated, or on a
+    /// line with its neighbours. Also if a corner turns in the other direction than the first.
     #[expect(clippy::indexing_slicing, reason = "bounded by the loops")]
     pub const fn new(corners: &[Vec2]) -> Result<Self, PolygonError> {
         let n = corners.len();

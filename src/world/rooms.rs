@@ -331,8 +331,8 @@ impl<'a, S: ShapeSet> Rooms<'a, S> {
         }
     }
 
-    /// The room that holds a cell of the world, and that cell in the room's map: where a spawn or a
-    /// door of the world is. `None` beyond the world.
+    /// The room that holds a cell of the world, and that cell in the room's map. Use it for a spawn
+    /// or a door of the world. `None` beyond the world.
     ///
     /// Points of a world are cells, because a coordinate ends at 8192 units, and a world may not.
     /// [`Grid::bounds_of`] gives the cell's box in the room's coordinates. [`Room::in_world`] is

@@ -12,10 +12,10 @@ use crate::shape::Aabb;
 /// share BUCKETS lists.
 ///
 /// It suits worlds that are much larger than the bodies in them. Cell (x, y) has list `x + K y`,
-/// modulo BUCKETS, a power of two from 64 to 32 768. The factor K spreads near cells. No two cells
-/// of a window of w x h cells share a list if `(w - 1) (h - 1)` is at most a quarter of BUCKETS,
-/// and w and h are at most BUCKETS. Within a screen nothing collides, and a cell never collides
-/// with its neighbours. Cells that share a list cost tests of boxes; answers stay the same.
+/// modulo BUCKETS, a power of two from 64 to 32 768. The factor K spreads near cells. In a window
+/// of w x h cells, no two share a list if `(w - 1) (h - 1)` is at most a quarter of BUCKETS. Both w
+/// and h must be at most BUCKETS. Within a screen nothing collides, and a cell never collides with
+/// its neighbours. Cells that share a list cost tests of boxes; answers stay the same.
 ///
 /// Bodies with longer sides than a cell are refused as [`TooLarge`](BroadError::TooLarge). With
 /// `LARGE` they go into a separate list, as in a [`LooseGrid`](crate::broad::LooseGrid), which also

@@ -58,8 +58,8 @@ impl<L: Law> Mover<L> {
     ///   motion of a solid. That happens between a wedge and a wall that nearly meet. If the solids
     ///   pass the body at its position, it stays there.
     /// - **A turn** by any angle keeps each body in front of the face or corner that was between
-    ///   the two before, so no body passes to the other side. The positions between are not tested.
-    ///   So the tip of an arm of 100 units that turns by 10 degrees passes over bodies that are in
+    ///   the two before. So no body passes to the other side. The positions between are not tested.
+    ///   Take an arm of 100 units that turns by 10 degrees. Its tip passes over bodies that are in
     ///   its reach by less than 0.4 units.
     ///
     /// If a turn must not squash a body, your game has to refuse it. Call this for all bodies

@@ -82,8 +82,8 @@ impl<S: Law> Mover<S> {
     /// The most displacements of a body that one [`ride`](Self::ride) tries.
     pub const ROUNDS: u32 = 8;
 
-    /// Carries a body with the solid that it stands on, and pushes it out of the way of solids that
-    /// move against it, in one tick.
+    /// Carries a body with the solid that it stands on, for one tick. Also pushes it out of the
+    /// path of solids that move against it.
     ///
     /// The solids are still at their old positions. All go by their [motions](Solid::with_motion)
     /// at once, and straight. Call this for each body, then [`Solid::move_all`], then move the
@@ -123,13 +123,13 @@ impl<S: Law> Mover<S> {
     /// with a snap of 3. The walker is pulled down to the lift in each following tick, stands all
     /// the time, and slides off its side. With `follow` 3 it is carried.
     ///
-    /// **After `Squashed`** the body overlaps the solid, unless the solid has passed it within the
-    /// tick, as a lift that moves diagonally past a corner of the body may do. Every move in the
-    /// level joined with the solids is [`MoveError::Stuck`](crate::MoveError::Stuck) until the
-    /// solid has passed it. The game decides what happens: let it wait (a move that is stuck leaves
-    /// it where it is), end it, or push it out with [`escape`](crate::motion::escape). Any overlap
-    /// counts: a body half a unit under the edge of a crusher is squashed, too. A game that
-    /// forgives such edges escapes first, and then tests which bodies are still stuck.
+    /// **After `Squashed`** the body usually overlaps the solid. A solid that moves diagonally past
+    /// a corner of the body may already have passed it. Every move in the level joined with the
+    /// solids is [`MoveError::Stuck`](crate::MoveError::Stuck) until the solid has passed it. The
+    /// game decides what happens. It may end the body, push it out with
+    /// [`escape`](crate::motion::escape), or let it wait: a move that is stuck leaves it where it
+    /// is. Any overlap counts: a body half a unit under the edge of a crusher is squashed, too. A
+    /// game that forgives such edges escapes first, and then tests which bodies are still stuck.
     ///
     /// No result depends on the order of the list. Bodies do not push each other, so their order
     /// does not matter either. Solids do not push solids. A mover that drops through one-way faces
@@ -142,9 +142,9 @@ impl<S: Law> Mover<S> {
     /// `Joined::new(&level, &Solids::new(&[]))`.
     ///
     /// Cost: a few comparisons for each far solid (130 instructions on a Cortex-M0). Otherwise at
-    /// most [`Mover::ROUNDS`] displacements, each of up to 6 sweeps over the cells under it, and
-    /// for each near solid up to 8 sweeps against its pieces. If no solid touches the body, the
-    /// call does not look at the level.
+    /// most [`Mover::ROUNDS`] displacements, each of up to 6 sweeps over the cells under it. For
+    /// each near solid, up to 8 sweeps against its pieces. If no solid touches the body, the call
+    /// does not look at the level.
     ///
     /// # Errors
     /// - [`MoveError::Range`] if a half extent or radius is not below 2^28 raw, or `follow` is

@@ -55,7 +55,7 @@ impl Walker {
     /// **In the air** it moves as [`Mover::move_and_slide`] until it meets a floor, where it walks
     /// for the rest of the frame. One thing differs: walls, and so steep slopes, take the velocity
     /// against them across "up". Pushing therefore does not climb them. The mover's response
-    /// applies there. A floor that neither carries the body nor lets it walk holds nothing up: the
+    /// applies there. A floor that neither carries the body nor lets it walk holds nothing up. The
     /// body falls past the foot of a ramp that a ceiling bars.
     ///
     /// The way of a frame is never longer than the velocity, except for steps, snapping, and up to

@@ -51,13 +51,13 @@ impl Walker {
         Self { mover, snap: 0, step: 0, speed: SlopeSpeed::Projected }
     }
 
-    /// The same walker that follows ground which falls by up to `length` per call. One and a half
-    /// times its speed is enough for slopes of 45 degrees and the bends between two of them. It
-    /// also follows ledges of exactly that height down.
+    /// Sets how far down the walker follows the ground per call. One and a half times its speed is
+    /// enough for slopes of 45 degrees and the bends between two of them. It also follows ledges of
+    /// exactly that height down.
     ///
     /// With moving solids, pass the same length to [`Mover::ride`] as `follow` while the body
-    /// stands. A lift that sinks by more than `follow` and less than the snap would otherwise pull
-    /// the walker down in each frame, and never carry it sideways.
+    /// stands. Otherwise a lift that sinks by more than `follow` and less than the snap would pull
+    /// the walker down in each frame. It would never carry the walker sideways.
     ///
     /// ```
     /// use tilesat::{AllShapes, Aabb, Axis, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker, fx};
@@ -87,7 +87,7 @@ impl Walker {
         }
     }
 
-    /// The same walker that climbs steps of up to `height`, onto level ground and onto slopes.
+    /// Sets the highest step that the walker climbs, onto level ground and onto slopes.
     ///
     /// ```
     /// use tilesat::{AllShapes, Aabb, Axis, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker, fx};
@@ -113,14 +113,13 @@ impl Walker {
         }
     }
 
-    /// The same walker with another speed on slopes.
+    /// Sets the speed on slopes.
     #[must_use]
     pub const fn with_slope_speed(self, speed: SlopeSpeed) -> Self {
         Self { speed, ..self }
     }
 
-    /// The same walker that drops through one-way floors, or no longer does: see
-    /// [`Mover::with_drop_through`].
+    /// Sets whether the walker drops through one-way floors, as [`Mover::with_drop_through`] does.
     #[must_use]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
         Self { mover: self.mover.with_drop_through(drop_through), ..self }

@@ -186,10 +186,10 @@ pub struct CastHit {
     /// [`exact_toi`](super::CastShape::exact_toi) is exact for all.
     pub toi: Toi,
     /// The normal at the hit, from B toward A, against the motion. It is never zero, and has length
-    /// one if it is parallel to x or y. For straight sides it is exact. For two circles, or a
-    /// corner that a circle hits, it points from the one centre, or the corner, to the other centre
-    /// at the hit. Its resolution grows with the radius. In the closest graze it is perpendicular
-    /// to the motion, within that rounding.
+    /// one if it is parallel to x or y. For straight sides it is exact. For two circles it points
+    /// from the centre of B to that of A at the hit. For a circle and a corner it lies on the line
+    /// between the centre and the corner. Its resolution grows with the radius. In the closest
+    /// graze it is perpendicular to the motion, within that rounding.
     pub axis: Axis,
     /// How far A moves until the hit. At `position + displacement` it touches B, or is less than 2
     /// raw units short of it, and does not overlap it. A motion longer than 4096 units may end four

@@ -45,13 +45,13 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// reversing the motion gives the same time, and displacement and axis reversed. Translated scenes
 /// give the same bits.
 ///
-/// Mirrored scenes give mirrored bits, with one exception. If the motion is along x or y, two sides
-/// or corners that it meets at one moment may have axes that mirror each other at it. The hit is
-/// then on the one whose axis points to the left of the motion (y up). In a mirrored scene it is on
-/// the other one, and the axis may have another length.
+/// Mirrored scenes give mirrored bits, with one exception. A motion along x or y may meet two sides
+/// or corners at one moment, whose axes mirror each other at it. The hit is then on the one whose
+/// axis points to the left of the motion (y up). In a mirrored scene it is on the other one, and
+/// the axis may have another length.
 ///
 /// Cost on a Cortex-M0, in instructions for a yes and for a whole hit: boxes take 160 and 335,
-/// circles 300 and 1290, a circle and a box 480 and 1100. A circle and a segment take 1170 and
+/// circles 300 and 1290. A circle and a box take 480 and 1100. A circle and a segment take 1170 and
 /// 2390, a box and a segment 1210 and 2190. There is one root if a circle meets a circle, a corner
 /// or a slanted side, else none, and no division instruction.
 ///
@@ -107,8 +107,8 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
     /// The exact floor of the time of the hit, in 2^-30 of the motion.
     ///
     /// Any other [`CastHit::toi`] is exact already. If a circle meets a circle, a corner or a
-    /// slanted segment, exact comparisons find it: some 400 instructions on a Cortex-M0 for each
-    /// bit that the bound is short.
+    /// slanted segment, exact comparisons find it. They take some 400 instructions on a Cortex-M0
+    /// for each bit that the bound is short.
     ///
     /// ```
     /// use tilesat::prelude::*;

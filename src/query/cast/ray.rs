@@ -49,14 +49,14 @@ impl Circle {
     /// The first point of the disc that a ray from `origin` along `motion` meets, or `None` if
     /// it ends before.
     ///
-    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray): a hit is the point
+    /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A hit is the point
     /// at which the ray enters the disc, even at the very end of the motion. A tangent is no hit. A
     /// ray that starts on the rim and moves in hits at 0. A circle of radius zero is a point, which
     /// a ray through it hits.
     ///
-    /// The time is a lower bound, early by less than a raw unit of travel for motions up to 4096
-    /// units, and by less than four for any. The point is outside the circle, less than 2 raw from
-    /// it.
+    /// The time is a lower bound. It is early by less than a raw unit of travel for motions up to
+    /// 4096 units, and by less than four for any. The point is outside the circle, less than 2 raw
+    /// from it.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, Fx, Inside, Vec2};

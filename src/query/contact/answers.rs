@@ -63,9 +63,9 @@ impl Contact {
     /// rounded away from zero.
     ///
     /// Exact if the axis is parallel to x or y. Otherwise a component is at most 4 raw units longer
-    /// than the exact least exit needs, or 5 if the depth or the sum of radii is above 8192 units.
-    /// The result may lead out of the [domain](crate::num::DOMAIN); `translated` then returns an
-    /// error.
+    /// than the exact least exit needs. It is 5 if the depth or the sum of radii is above 8192
+    /// units. The result may lead out of the [domain](crate::num::DOMAIN); `translated` then
+    /// returns an error.
     ///
     /// Cost on a Cortex-M0: 30 instructions along x and y, 310 for circles, 1050 beside sloped
     /// segments, where the depth is computed first.

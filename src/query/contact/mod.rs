@@ -78,8 +78,9 @@ impl Contact {
     /// Whether there was more than one least exit. The axis then follows a convention.
     ///
     /// The convention: x before y before the normal of a segment, and the positive direction of x
-    /// and y; for a segment the normal `(-e.y, e.x)` of its edge `e` from the lexicographically
-    /// smaller end. See the table of [degenerate cases](crate::query#degenerate-cases).
+    /// and y. For a segment it is the normal `(-e.y, e.x)` of its edge `e` from the
+    /// lexicographically smaller end. See the table of [degenerate
+    /// cases](crate::query#degenerate-cases).
     ///
     /// ```
     /// use tilesat::{Aabb, Vec2, prelude::*};
@@ -151,8 +152,8 @@ const fn parallel_to_unit(v: Raw) -> Axis {
 ///
 /// `Some` exactly if [`overlaps`](super::Overlaps::overlaps) is true. The contact is exact; the
 /// methods of [`Contact`] round. Cost on a Cortex-M0: about 130 instructions for boxes and circles,
-/// 550 for a circle and a segment, and some hundred more for a segment against a box or a segment.
-/// There is no root and no division. It cannot fail.
+/// and 550 for a circle and a segment. A segment against a box or a segment takes some hundred
+/// more. There is no root and no division. It cannot fail.
 ///
 /// ```
 /// use tilesat::prelude::*;

@@ -21,8 +21,8 @@ pub enum PathKind {
     Solid,
     /// A closed polygon, in either winding, that removes its inside from the solids around it. A
     /// part outside of solids has edges with nothing behind them, and so have parts of polygons
-    /// that cross or touch themselves. Bodies pass such edges from behind and stay there. The
-    /// example `lint` finds them.
+    /// that cross or touch themselves. Bodies pass such edges from behind and stay there. `tilesat
+    /// lint` finds them.
     Hole,
     /// An open chain without thickness that blocks from both sides. If the last point equals the
     /// first, it is a loop.

@@ -19,8 +19,8 @@ impl SegmentMap<'_> {
     /// segment. A wall has one on each side, a one-way segment one on its outward normal's side. A
     /// feature's cell is the one that holds its start, or its corner.
     ///
-    /// Cost: up to three tests for each reference of the cells of the region, and the segments of a
-    /// cell for each end without a vertex.
+    /// Cost: up to three tests for each reference of the cells of the region. For each end without
+    /// a vertex, also the segments of a cell.
     ///
     /// ```
     /// use tilesat::{Aabb, Path, PathKind, Vec2, fx, segment_map, world::Geometry};

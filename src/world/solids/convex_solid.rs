@@ -238,8 +238,8 @@ impl<S: SolidShape> ConvexSolid<S> {
     /// a constant, call `convex_solid` of the [shape](OrientedBox::convex_solid).
     ///
     /// # Errors
-    /// [`RangeError`] of [`Quantity::Area`] if the shape has no area, of [`Quantity::BodySize`] if
-    /// a half extent is not below 2^28 raw, and of [`Quantity::Rounding`] if it has a radius and
+    /// [`RangeError`] of [`Quantity::Area`] if the shape has no area. Of [`Quantity::BodySize`] if
+    /// a half extent is not below 2^28 raw. Of [`Quantity::Rounding`] if it has a radius and
     /// slanted sides. An `OrientedBox` or `ConvexPolygon` with a radius is refused, too.
     pub fn new(shape: S, key: u16) -> Result<Self, RangeError> {
         shape.solid(key)

@@ -48,7 +48,7 @@ rays! {
         /// along `motion` meets. `None` if it ends before.
         ///
         /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray)
-        /// for the union of the boxes: a ray along a seam of two flush boxes is inside them. The
+        /// for the union of the boxes. A ray along a seam of two flush boxes is inside them. The
         /// [`cell`](RayHit::cell) of the hit names the solid: see [`Solids::key_of`]. If several
         /// have the same face there, it is the one with the smallest key, solid ones before
         /// [one-way](Solid::with_one_way) ones.

@@ -12,8 +12,8 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The faces, arcs and vertices of the surface that have a point in the closed region, row
     /// after row.
     ///
-    /// - A face is a side of a tile's solid, or half of one, where the tile across does not cover
-    ///   it; a slope; or the inner side of a half tile.
+    /// - A face is a slope, the inner side of a half tile, or a side of a tile's solid. Of a side,
+    ///   only the halves count that the tile across does not cover.
     /// - An arc is that of a round tile.
     /// - A vertex is a point around which the solid is a wedge of less than half a turn. Tiles that
     ///   continue each other count as one solid. There is none on a flat line, where an arc leaves

@@ -28,8 +28,8 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     ///   stops at the first face that it meets on either side of the line.
     /// - A convex arc is hit by a ray that enters its disc on it, ends included. A concave one is
     ///   hit by a ray that leaves the disc on it, ends included. A ray that slides along a face or
-    ///   is a tangent hits nothing, unless it continues into the solid beside the end of a concave
-    ///   arc.
+    ///   is a tangent hits nothing. It hits only if it continues into the solid beside the end of a
+    ///   concave arc.
     /// - A face is hit even at the very end of the motion; one raw unit short is a miss.
     /// - If faces are hit at the same moment, the one whose normal is more along x wins (among
     ///   blocks: toward x). Then the one that opposes the motion more, then +x, then +y, then a
