@@ -137,6 +137,12 @@ impl Filter {
     }
 
     /// Sets whether the body is a sensor. A sensor reports bodies, and does not push them.
+    ///
+    /// ```
+    /// use tilesat::{Filter, broad::Tag};
+    /// let (hero, zone) = (Filter::default(), Filter::default().with_sensor(true));
+    /// assert!(zone.pairs_with(&hero) && !zone.pairs_with(&zone)); // zones do not report each other
+    /// ```
     #[must_use]
     #[doc(alias("trigger", "Area2D", "isSensor"))]
     pub const fn with_sensor(self, sensor: bool) -> Self {

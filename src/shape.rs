@@ -156,6 +156,13 @@ impl Aabb {
 
     /// The middle. If a side is an odd number of raw units, it is rounded toward the smaller
     /// coordinate.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let screen = Aabb::from_size(Vec2::from_ints(16, 0), Vec2::from_ints(320, 180))?;
+    /// assert_eq!(screen.centre(), Vec2::from_ints(176, 90));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     #[doc(alias = "center")]
     pub const fn centre(&self) -> Vec2 {
@@ -164,6 +171,15 @@ impl Aabb {
     }
 
     /// This box moved by `by`.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let hero = Aabb::from_size(Vec2::from_ints(8, 4), Vec2::from_ints(10, 12))?;
+    /// let ahead = hero.translated(Vec2::from_ints(16, 0))?; // where it would land
+    /// assert_eq!((ahead.min(), ahead.size()), (Vec2::from_ints(24, 4), hero.size()));
+    /// assert!(hero.translated(Vec2::from_ints(8180, 0)).is_err()); // the domain ends at 8192
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     ///
     /// # Errors
     /// [`RangeError`] if a corner would leave the [domain](crate::num::DOMAIN).
@@ -258,6 +274,14 @@ impl Circle {
     }
 
     /// This circle moved by `by`.
+    ///
+    /// ```
+    /// use tilesat::{Circle, Vec2, fx};
+    /// let ball = Circle::new(Vec2::from_ints(20, 30), fx!(4))?;
+    /// let next = ball.translated(Vec2::from_ints(3, -2))?;
+    /// assert_eq!((next.centre(), next.radius()), (Vec2::from_ints(23, 28), fx!(4)));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     ///
     /// # Errors
     /// [`RangeError`] if it would leave the [domain](crate::num::DOMAIN).

@@ -26,17 +26,19 @@ use heapless::VecView;
 /// Code that is generic over broad phases names the tag of the bodies:
 ///
 /// ```
-/// use tilesat::broad::{BroadPhase, LooseGrid, SortSweep};
+/// use tilesat::broad::{BroadError, BroadPhase, LooseGrid, SortSweep};
 /// use tilesat::{Aabb, Filter, Fx, Vec2};
-/// fn near_hero<B: BroadPhase<Tag = Filter>>(near: &mut B) -> usize {
-///     let hero = Aabb::new(Vec2::ZERO, Vec2::from_ints(8, 8)).unwrap();
-///     let hero = near.insert(&hero, Filter::default()).unwrap();
-///     let mut count = 0;
-///     near.pairs(|pair| count += usize::from(pair.has(hero)));
-///     count
+/// fn opens<B: BroadPhase<Tag = Filter>>(near: &mut B) -> Result<(bool, usize), BroadError> {
+///     let at = |x| Aabb::from_size(Vec2::from_ints(x, 0), Vec2::from_ints(8, 8)).unwrap();
+///     let (hero, _) = (near.insert(&at(0), Filter::default())?, near.insert(&at(90), Filter::default())?);
+///     near.move_to(hero, &at(30))?; // it walked
+///     let (mut door, mut clicked) = (false, 0);
+///     near.in_region(&at(36), |body| door |= body == hero); // who is at the door?
+///     near.at_point(Vec2::from_ints(94, 8), |_| clicked += 1); // on the border of the other one
+///     Ok((door, clicked))
 /// }
-/// assert_eq!(near_hero(&mut SortSweep::<64, Filter>::new()), 0);
-/// assert_eq!(near_hero(&mut LooseGrid::<4, 64, Filter>::new(Vec2::ZERO, Fx::from_num(32), 16)?), 0);
+/// assert_eq!(opens(&mut SortSweep::<64, Filter>::new())?, (true, 1));
+/// assert_eq!(opens(&mut LooseGrid::<4, 64, Filter>::new(Vec2::ZERO, Fx::from_num(32), 16)?)?, (true, 1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -56,7 +58,7 @@ pub trait BroadPhase: Spatial {
         Ok(handle)
     }
 
-    /// Sets the box of a body that moved or changed its size.
+    /// Sets the box of a body that moved or changed its size, as in the [example](BroadPhase).
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale), and those of [`insert`](Self::insert) except `Full`. Nothing
@@ -247,7 +249,7 @@ pub trait BroadPhase: Spatial {
     }
 
     /// Every body whose box touches a region, once, in no particular order. If the region is the
-    /// box of a body, that body is included.
+    /// box of a body, that body is included. The [trait](BroadPhase) has an example.
     #[inline]
     #[doc(alias("queryRect", "overlapAABB"))]
     fn in_region(&self, region: &Aabb, mut each: impl FnMut(Handle)) {
@@ -255,7 +257,8 @@ pub trait BroadPhase: Spatial {
         self.visit(region, |slot| each(bodies.handle(slot)));
     }
 
-    /// Every body whose box holds a point, border included, once, in no particular order.
+    /// Every body whose box holds a point, border included, once, in no particular order. The
+    /// [trait](BroadPhase) has an example.
     ///
     /// No box holds a point outside the [domain](crate::num::DOMAIN).
     #[inline]
@@ -351,9 +354,7 @@ pub trait BroadPhase: Spatial {
     /// use tilesat::{Aabb, Circle, Fx, Inside, Toi, Vec2};
     /// let mut near = BruteForce::<16>::new();
     /// let balls = [(30, 5), (60, 0)].map(|(x, y)| Circle::new(Vec2::from_ints(x, y), Fx::from_num(6)).unwrap());
-    /// for ball in &balls {
-    ///     near.insert(&ball.aabb(), ())?;
-    /// }
+    /// balls.map(|ball| near.insert(&ball.aabb(), ()).unwrap());
     /// let (bullet, motion) = (Aabb::from_centre(Vec2::ZERO, Vec2::from_ints(2, 1))?, Vec2::from_ints(100, 0));
     /// let mut first = None;
     /// near.along(&bullet, motion, |handle, _, _| {
@@ -390,13 +391,15 @@ pub trait BroadPhase: Spatial {
     /// Cost: that of [`along`](Self::along), and at most 4 log2 k comparisons for each hit, if k
     /// hits are kept.
     ///
-    /// ```text
-    ///         +---+
-    ///         | 2 |   +---+
-    ///         |   |   | 3 |
-    ///    o--+-+-+-+---+---+-->     1, 2, 3: in this order, whatever cells their
-    ///       | 1 |                  middles are in; all are only grazed
-    ///       +---+
+    /// ```
+    /// use heapless::Vec;
+    /// use tilesat::{Aabb, Vec2, broad::{BroadHit, BroadPhase, BruteForce}};
+    /// let at = |x, y| Aabb::from_size(Vec2::from_ints(x, y), Vec2::from_ints(8, 8)).unwrap();
+    /// let (mut near, mut hits) = (BruteForce::<16>::new(), Vec::<BroadHit, 4>::new());
+    /// let [third, first, second] = [(40, 0), (10, 8), (14, 0)].map(|(x, y)| near.insert(&at(x, y), ()).unwrap());
+    /// near.cast_ray(Vec2::from_ints(0, 8), Vec2::from_ints(60, 0), |_, _| true, &mut hits)?; // grazes all three
+    /// assert!(hits.iter().map(|hit| hit.handle).eq([first, second, third]));
+    /// # Ok::<(), tilesat::broad::QueryError>(())
     /// ```
     ///
     /// # Errors
@@ -426,10 +429,8 @@ pub trait BroadPhase: Spatial {
     /// let (far, close) = (near.insert(&at(88, 0)?, ())?, near.insert(&at(28, 8)?, ())?);
     /// let mut hits = Vec::<BroadHit, 4>::new();
     /// near.cast_shape(&at(0, 0)?, Vec2::from_ints(80, 0), |_, _| true, &mut hits)?;
-    /// assert_eq!(hits.iter().map(|hit| (hit.handle, hit.toi.to_fx())).collect::<Vec<_, 4>>(), [
-    ///     (close, fx!(0.25)), // passed along its side
-    ///     (far, Fx::ONE), // just reached
-    /// ]);
+    /// // It passes along the side of one, and just reaches the other one.
+    /// assert!(hits.iter().map(|hit| (hit.handle, hit.toi.to_fx())).eq([(close, fx!(0.25)), (far, Fx::ONE)]));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

@@ -90,11 +90,12 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
 /// Generates `cast_shape` for another kind of level.
 macro_rules! casts {
-    ($(#[$doc:meta])* [$($parameters:tt)*] $world:ty) => {
+    ($(#[$doc:meta])* [$($parameters:tt)*] $world:ty $({ $(#[$example:meta])* })?) => {
         impl<$($parameters)*> $world {
             $(#[$doc])*
             /// Follows the rules of [`TileMap::cast_shape`].
             ///
+            $($(#[$example])*)?
             /// # Errors
             /// Those of [`TileMap::cast_shape`].
             pub fn cast_shape<B: Body>(
@@ -111,12 +112,36 @@ macro_rules! casts {
 
 casts! {
     /// The first hit of a body that moves by `motion`, walls included.
-    [] SegmentMap<'_>
+    [] SegmentMap<'_> {
+        /// ```
+        /// use tilesat::{Circle, Inside, Path, PathKind, Vec2, fx, segment_map};
+        /// const ROOF: [Vec2; 2] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 0)];
+        /// segment_map!(static LEVEL: [Path::new(PathKind::Wall, &ROOF)], fx!(32));
+        /// let shell = Circle::new(Vec2::from_ints(0, 14), fx!(5))?;
+        /// let hit = LEVEL.cast_shape(&shell, Vec2::from_ints(100, 0), Inside::Hit)?.unwrap();
+        /// assert!(hit.body.centre().x < fx!(43) && fx!(42.8) < hit.body.centre().x); // 50 less 5 sqrt(2)
+        /// # Ok::<(), tilesat::RangeError>(())
+        /// ```
+        ///
+    }
 }
 casts! {
     /// The first hit of a body that moves by `motion`, in either level, on the
     /// surface that [`features`](Self::features) returns.
-    [A: World, C: World] Joined<'_, A, C>
+    [A: World, C: World] Joined<'_, A, C> {
+        /// ```
+        /// use tilesat::{Aabb, Inside, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let level = TileMap::from_ascii("....#", &KINDS)?; // a wall at x = 64
+        /// let barrel = [Solid::new(Aabb::from_size(Vec2::from_ints(40, 4), Vec2::from_ints(8, 12))?, 9)?];
+        /// let hero = Aabb::from_size(Vec2::from_ints(4, 2), Vec2::from_ints(10, 14))?;
+        /// let dash = Joined::new(&level, &Solids::new(&barrel)).cast_shape(&hero, Vec2::from_ints(60, 0), Inside::Hit)?;
+        /// let dash = dash.unwrap();
+        /// assert_eq!((dash.body.max().x.to_num::<i32>(), dash.hit.solid()), (40, Some(9))); // not the wall
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        ///
+    }
 }
 casts! {
     /// The first hit of a body that moves by `motion`, with the level at its

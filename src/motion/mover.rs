@@ -97,6 +97,19 @@ impl<S: Law> Mover<S> {
     ///
     /// A mover without such a table links no code for it. Call this after
     /// [`with_surface`](Self::with_surface), whose mover has no table.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Mover, MoveError, Response, TileKind, TileKinds, TileMap, Vec2, motion::Responses};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'w', TileKind::FULL.with_flags(1));
+    /// let level = TileMap::from_ascii("..#\n..w", &KINDS)?; // stone above wood, at x = 32
+    /// let arrow = Mover::new().with_responses(Responses::NONE.touching(1).otherwise(Response::Bounce));
+    /// let shot = |y| -> Result<Vec2, MoveError> {
+    ///     let at = Aabb::from_size(Vec2::from_ints(8, y), Vec2::from_ints(4, 2))?;
+    ///     Ok(arrow.move_and_slide(&level, &at, Vec2::from_ints(40, 0))?.velocity)
+    /// };
+    /// assert_eq!((shot(4)?, shot(20)?), (Vec2::from_ints(-40, 0), Vec2::ZERO)); // it sticks in wood
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_responses(self, responses: Responses) -> Mover<ByFlags<S>> {
         let Self { up, response, bounce, limit, drop_through, inside, surface } = self;

@@ -44,6 +44,14 @@ impl Vec2 {
     }
 
     /// The smaller of each component.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let (press, release) = (Vec2::from_ints(40, 10), Vec2::from_ints(12, 30)); // a box that the mouse drew
+    /// assert!(Aabb::new(press, release).is_err());
+    /// assert_eq!(Aabb::new(press.min(release), press.max(release))?.size(), Vec2::from_ints(28, 20));
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
     #[must_use]
     pub const fn min(self, rhs: Self) -> Self {
         let ((ax, ay), (bx, by)) = (self.raw(), rhs.raw());
@@ -72,6 +80,12 @@ impl Vec2 {
     }
 
     /// The magnitude of each component; that of `Fx::MIN` saturates to `Fx::MAX`.
+    ///
+    /// ```
+    /// use tilesat::Vec2;
+    /// let apart = (Vec2::from_ints(3, 9) - Vec2::from_ints(10, 5)).abs();
+    /// assert_eq!(apart, Vec2::from_ints(7, 4)); // along x and along y
+    /// ```
     #[must_use]
     pub const fn abs(self) -> Self {
         Self { x: self.x.saturating_abs(), y: self.y.saturating_abs() }

@@ -73,6 +73,12 @@ impl Vec2 {
     /// An `Option`, because not every `f32` is a vector; [`to_f32`](Self::to_f32) cannot fail. No
     /// query uses it. It computes with integers only, so a chip without an FPU links no
     /// floating-point routine.
+    ///
+    /// ```
+    /// use tilesat::{Vec2, fx};
+    /// assert_eq!(Vec2::from_f32(12.5, -0.25), Some(Vec2::new(fx!(12.5), fx!(-0.25))));
+    /// assert_eq!((Vec2::from_f32(f32::NAN, 0.0), Vec2::from_f32(0.0, 40_000.0)), (None, None));
+    /// ```
     #[must_use]
     pub fn from_f32(x: f32, y: f32) -> Option<Self> {
         Some(Self { x: Fx::checked_from_num(x)?, y: Fx::checked_from_num(y)? })
@@ -187,12 +193,24 @@ impl Vec2 {
     }
 
     /// `self + rhs`; `None` if a component does not fit 16.16.
+    ///
+    /// ```
+    /// use tilesat::Vec2;
+    /// let (far, step) = (Vec2::from_ints(32_000, 0), Vec2::from_ints(1_000, 5));
+    /// assert_eq!(far.checked_add(step), None); // `far + step` saturates
+    /// ```
     #[must_use]
     pub const fn checked_add(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_add(rhs.x), self.y.checked_add(rhs.y))
     }
 
     /// `self - rhs`; `None` if a component does not fit 16.16.
+    ///
+    /// ```
+    /// use tilesat::Vec2;
+    /// assert_eq!(Vec2::from_ints(90, 40).checked_sub(Vec2::from_ints(60, 44)), Some(Vec2::from_ints(30, -4)));
+    /// assert_eq!(Vec2::from_ints(-20_000, 0).checked_sub(Vec2::from_ints(20_000, 0)), None);
+    /// ```
     #[must_use]
     pub const fn checked_sub(self, rhs: Self) -> Option<Self> {
         both(self.x.checked_sub(rhs.x), self.y.checked_sub(rhs.y))
@@ -213,6 +231,13 @@ impl Vec2 {
 
     /// `self / divisor`, each component rounded toward zero; `None` if one does not fit 16.16,
     /// or the divisor is zero.
+    ///
+    /// ```
+    /// use tilesat::{Fx, Vec2, fx};
+    /// let way = Vec2::from_ints(30, -9);
+    /// assert_eq!(way.checked_div(fx!(12)), Some(Vec2::new(fx!(2.5), fx!(-0.75)))); // per frame, in 12 frames
+    /// assert_eq!(way.checked_div(Fx::ZERO), None);
+    /// ```
     #[must_use]
     pub const fn checked_div(self, divisor: Fx) -> Option<Self> {
         if divisor.to_bits() == 0 {

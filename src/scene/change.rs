@@ -45,6 +45,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Sets the velocity of a body, in units per step, and wakes the body. For a fixed body, it
     /// wakes the bodies that touch it.
     ///
+    /// ```
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Circle, Vec2, fx};
+    /// let mut scene = SortSweepScene::<8>::empty();
+    /// let ball = scene.insert(&SceneBody::new(Circle::new(Vec2::ZERO, fx!(4))?, 1))?;
+    /// scene.set_velocity(ball, Vec2::from_ints(3, -2))?; // a serve
+    /// assert!(scene.set_velocity(ball, Vec2::from_ints(5000, 0)).is_err()); // a step takes less than 4096
+    /// assert_eq!(scene.body(ball)?.velocity, Vec2::from_ints(3, -2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`push`](Self::push).
     pub fn set_velocity(&mut self, handle: Handle, velocity: Vec2) -> Result<(), SceneError> {
@@ -130,6 +141,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Wakes a body.
+    ///
+    /// ```
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Aabb, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let (level, gravity) = (TileMap::from_ascii("..\n##", &KINDS)?, Vec2::new(fx!(0), fx!(0.25)));
+    /// let mut scene = SortSweepScene::<8>::empty();
+    /// let barrel = scene.insert(&SceneBody::new(Aabb::from_size(Vec2::from_ints(4, 8), Vec2::from_ints(8, 8))?, 1))?;
+    /// (0..100).try_for_each(|_| scene.step(&level, gravity, |_| {}).map(|_| ()))?;
+    /// assert!(scene.awake().is_empty());
+    /// scene.wake(barrel)?; // a wind begins, which your game adds in each step
+    /// assert_eq!(scene.awake(), [barrel]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`Stale`](crate::broad::BroadError::Stale).

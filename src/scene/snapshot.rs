@@ -164,6 +164,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy, const N: usize, const M: usize, 
     /// Restores a state, and replaces the current one completely.
     ///
     /// Cost: as [`snapshot`](Self::snapshot).
+    ///
+    /// ```
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Circle, TileKinds, TileMap, Vec2, fx};
+    /// let (level, mut scene) = (TileMap::from_ascii("....", &TileKinds::EMPTY)?, SortSweepScene::<8>::empty());
+    /// let puck = scene.insert(&SceneBody::new(Circle::new(Vec2::from_ints(8, 8), fx!(4))?, 1))?;
+    /// let before = scene.snapshot();
+    /// scene.step(&level, Vec2::ZERO, |_| {})?; // with the guess that nobody hits it
+    /// scene.restore(&before); // the input arrives: someone did
+    /// scene.push(puck, Vec2::from_ints(6, 0))?;
+    /// scene.step(&level, Vec2::ZERO, |_| {})?;
+    /// assert_eq!(scene.body(puck)?.shape.centre(), Vec2::from_ints(14, 8));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[inline]
     pub fn restore(&mut self, snapshot: &Snapshot<B, N, S>) {
         let Snapshot { near, kept, awake, count, sleep } = snapshot;

@@ -120,6 +120,19 @@ impl Walker {
     }
 
     /// Sets whether the walker drops through one-way floors, as [`Mover::with_drop_through`] does.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2, Walker};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'-', TileKind::ONE_WAY_UP);
+    /// let level = TileMap::from_ascii("..\n--\n..\n--", &KINDS)?; // shelves at y = 16 and y = 48
+    /// let hero = Aabb::from_size(Vec2::from_ints(4, 6), Vec2::from_ints(8, 10))?; // on the upper one
+    /// let (walker, fall) = (Walker::new(Mover::platformer(Axis::NEG_Y)), Vec2::from_ints(0, 2));
+    /// let floor = walker.walk(&level, &hero, fall, None)?.floor;
+    /// assert!(walker.walk(&level, &hero, fall, floor)?.on_floor());
+    /// let dropped = walker.with_drop_through(true).walk(&level, &hero, fall, floor)?;
+    /// assert_eq!((dropped.on_floor(), dropped.moved.position()), (false, Vec2::from_ints(4, 8)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub const fn with_drop_through(self, drop_through: bool) -> Self {
         Self { mover: self.mover.with_drop_through(drop_through), ..self }

@@ -112,6 +112,18 @@ rays! {
         /// same answer for less code and stack. Along a floor that continues from level to level,
         /// it sees the end of the next floor as a wall.
         ///
+        /// ```
+        /// use tilesat::{Aabb, Joined, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
+        /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+        /// let level = TileMap::from_ascii("....\n..#.", &KINDS)?; // a pillar from x = 32 to 48, below y = 16
+        /// let shield = [Solid::new(Aabb::from_size(Vec2::from_ints(50, 0), Vec2::from_ints(2, 12))?, 1)?];
+        /// let (guard, shields) = (Vec2::from_ints(4, 14), Solids::new(&shield));
+        /// let sees = |x, y| Joined::new(&level, &shields).line_of_sight(guard, Vec2::from_ints(x, y));
+        /// assert!(sees(60, 14)?); // over the pillar, below the shield
+        /// assert!(!sees(60, 4)? && !sees(60, 24)?);
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,

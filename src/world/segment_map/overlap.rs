@@ -51,6 +51,15 @@ impl SegmentMap<'_> {
     ///
     /// The flags are those of the lines: a body inside a polygon that touches none of its edges has
     /// none. Exact. Cost: one test for each segment with new flags, in each cell under the shape.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Path, PathKind, Vec2, fx, segment_map};
+    /// const LAVA: [Vec2; 2] = [Vec2::from_ints(0, 48), Vec2::from_ints(40, 48)];
+    /// const SHORE: [Vec2; 2] = [Vec2::from_ints(40, 48), Vec2::from_ints(80, 48)];
+    /// segment_map!(static LEVEL: [Path::new(PathKind::Wall, &LAVA).with_flags(4), Path::new(PathKind::Wall, &SHORE)], fx!(32));
+    /// let flags = |x| LEVEL.flags_touched(&Aabb::from_size(Vec2::from_ints(x, 34), Vec2::from_ints(10, 14)).unwrap());
+    /// assert_eq!((flags(20), flags(40), flags(41)), (4, 4, 0)); // its foot touches the end of the lava at x = 40
+    /// ```
     #[must_use]
     pub fn flags_touched<B: Probe>(&self, shape: &B) -> u8 {
         let (lo, hi) = shape.bounds();

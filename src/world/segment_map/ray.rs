@@ -50,6 +50,15 @@ rays! {
         /// Whether the straight line from `a` to `b` meets no boundary and no wall and does not
         /// start inside. A ray from `a` decides it.
         ///
+        /// ```
+        /// use tilesat::{Path, PathKind, Vec2, fx, segment_map};
+        /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 16), Vec2::from_ints(128, 64)];
+        /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], fx!(32));
+        /// let sees = |y| LEVEL.line_of_sight(Vec2::from_ints(10, y), Vec2::from_ints(118, y));
+        /// assert!(sees(15)? && !sees(17)?); // over the top, and not through it
+        /// # Ok::<(), tilesat::RangeError>(())
+        /// ```
+        ///
         /// # Errors
         /// [`RangeError`](crate::RangeError) if a point is outside the
         /// [domain](crate::num::DOMAIN).

@@ -252,7 +252,8 @@ impl<S: SolidShape> ConvexSolid<S> {
     }
 
     /// This solid with a motion for this frame, from its current position. The result is a new
-    /// value: to change a solid in a list, call [`set_motion`](Self::set_motion).
+    /// value. To change a solid in a list, call [`set_motion`](Self::set_motion), which has an
+    /// example.
     ///
     /// # Errors
     /// [`RangeError`] if the motion has a component of [`MOTION`] or more, or would take the shape

@@ -165,6 +165,19 @@ impl<'a> Solids<'a> {
     /// of the list. It is [`swept`](Self::swept) for a path of several parts; `shape` is the body
     /// before the call of [`Mover::move_along`](crate::Mover::move_along).
     ///
+    /// ```
+    /// use tilesat::{Aabb, Axis, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, world::Trail};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    /// let level = TileMap::from_ascii("...\n...\n###", &KINDS)?; // the floor is at y = 32
+    /// let gem = |x, key| Solid::new(Aabb::from_size(Vec2::from_ints(x, 22), Vec2::from_ints(4, 4))?, key);
+    /// let gems = [gem(12, 1)?, gem(30, 2)?, gem(40, 3)?];
+    /// let (hero, mut trail) = (Aabb::from_size(Vec2::from_ints(4, 0), Vec2::from_ints(8, 10))?, Trail::default());
+    /// let _ = Mover::platformer(Axis::NEG_Y).move_along(&level, &hero, Vec2::from_ints(24, 60), &mut trail)?;
+    /// // Down to the floor, and along it up to x = 36.
+    /// assert!(Solids::new(&gems).on(&hero, &trail)?.map(Solid::key).eq([1, 2]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`RangeError`] if the path leads out of the [domain](crate::num::DOMAIN).
     #[doc(alias = "cross")]
@@ -188,6 +201,16 @@ levels! {
     [] Solids<'_> {
         /// Whether a shape overlaps one of the solids; strict and exact. One-way solids do not
         /// count.
+        ///
+        /// ```
+        /// use tilesat::{Aabb, Solid, Solids, Vec2};
+        /// let lift = [Solid::new(Aabb::from_size(Vec2::from_ints(16, 40), Vec2::from_ints(32, 8))?, 1)?];
+        /// let lift = Solids::new(&lift);
+        /// let hero = |y| Aabb::from_size(Vec2::from_ints(20, y), Vec2::from_ints(10, 14)).unwrap();
+        /// assert!(lift.touches(&hero(26)) && !lift.overlaps(&hero(26))); // stands on it
+        /// assert!(lift.overlaps(&hero(27)) && !lift.touches(&hero(25)));
+        /// # Ok::<(), tilesat::RangeError>(())
+        /// ```
         overlaps,
         /// Whether a shape has a point in common with one of the solids, borders included; exact.
         /// One-way solids do not count.

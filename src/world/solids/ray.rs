@@ -74,6 +74,14 @@ rays! {
         /// Whether the straight line from `a` to `b` is free of the solids and does not start
         /// inside. A ray from `a` decides it. One-way solids do not block it.
         ///
+        /// ```
+        /// use tilesat::{Aabb, Solid, Solids, Vec2};
+        /// let door = [Solid::new(Aabb::new(Vec2::from_ints(20, 0), Vec2::from_ints(24, 16))?, 3)?];
+        /// let sees = |x, y| Solids::new(&door).line_of_sight(Vec2::from_ints(4, 8), Vec2::from_ints(x, y));
+        /// assert!(sees(18, 8)? && !sees(40, 8)? && sees(40, 40)?); // before, behind, and past it
+        /// # Ok::<(), tilesat::RangeError>(())
+        /// ```
+        ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).
         line_of_sight,

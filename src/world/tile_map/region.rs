@@ -207,6 +207,19 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// [`Mover::move_along`](crate::Mover::move_along) has an example. Cost: one look-up for each
     /// cell of the bounding box of the path, and one exact test for each part.
     ///
+    /// ```
+    /// use tilesat::{Cell, Circle, Mover, Response, TileKind, TileKinds, TileMap, Vec2, fx, world::Trail};
+    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'o', TileKind::EMPTY.with_flags(1));
+    /// let level = TileMap::from_ascii("..o.#\n.o.o.", &KINDS)?; // coins, and a wall at x = 64
+    /// let (ball, mut trail) = (Circle::new(Vec2::from_ints(8, 8), fx!(4))?, Trail::default());
+    /// let bouncing = Mover::new().with_response(Response::Bounce);
+    /// let moved = bouncing.move_along(&level, &ball, Vec2::from_ints(80, 0), &mut trail)?;
+    /// assert_eq!(moved.position(), Vec2::from_ints(32, 8)); // it passed a coin twice
+    /// let coins = level.tiles_on(&ball, &trail)?.filter(|tile| tile.kind.flag(1));
+    /// assert!(coins.map(|tile| tile.cell).eq([Cell::new(2, 0)]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`flags_swept`](Self::flags_swept).
     #[doc(alias = "cross")]
