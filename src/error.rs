@@ -85,13 +85,6 @@ impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (what, value) = (self.what, self.value);
         let settle = match what {
-            // Whole units that do not fit, or the end at which operators of vectors stop.
-            Quantity::X | Quantity::Y if value == i32::MIN || value == i32::MAX => {
-                return write!(
-                    f,
-                    "{what:?} does not fit: numbers go from -32768 to below 32768, and positions must be less than 8192 units from the origin"
-                );
-            }
             Quantity::X | Quantity::Y => "keep positions less than 8192 units from the origin on each axis",
             Quantity::Radius | Quantity::HalfExtent | Quantity::Length => "it must be from 0 to below 8192 units",
             Quantity::Width | Quantity::Height if value == 0 => "that of a solid must be above 0",
@@ -142,6 +135,10 @@ impl fmt::Display for RangeError {
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };
+        if matches!(what, Quantity::X | Quantity::Y) && matches!(value, i32::MIN | i32::MAX) {
+            // Whole units that do not fit, or the end at which operators of vectors stop.
+            return write!(f, "{what:?} does not fit: numbers go from -32768 to below 32768; {settle}");
+        }
         write!(f, "{what:?} is out of range: {} ({value} raw); {settle}", Fx::from_bits(value))
     }
 }

@@ -130,9 +130,8 @@ pub const fn literal(text: &str) -> Fx {
         Ok(size) => fixed::types::I48F16::lit(size).to_bits(),
         Err(_) => i64::MAX,
     };
-    // The compiler evaluates it: no program holds these panics.
-    assert!(!negative || value >= 0, "fx! takes one minus at most");
     let value = if negative { value.wrapping_neg() } else { value };
-    assert!(-1 << 31 <= value && value < 1 << 31, "fx! takes a number from -32768 to below 32768");
+    // The compiler evaluates it: no program holds this panic.
+    assert!(value == value as i32 as i64, "fx! takes a number from -32768 to below 32768");
     Fx::from_bits(value as i32)
 }

@@ -16,10 +16,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Adds `by` (units per step) to the velocity of a body, and wakes the body.
     ///
     /// ```
-    /// use tilesat::broad::{BroadPhase, SortSweep};
-    /// use tilesat::scene::{SceneBody, SceneTag};
-    /// use tilesat::{Aabb, Scene, Vec2};
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// use tilesat::broad::BroadPhase;
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Aabb, Vec2};
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
     /// let (near, far) = (scene.insert(&SceneBody::new(at(10)?, 1))?, scene.insert(&SceneBody::new(at(90)?, 2))?);
     /// // An explosion at (0, 0) that reaches 40 units along x and y.
@@ -66,10 +66,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// and touches afterwards. Only this call and [`alter`](Self::alter) move a fixed body.
     ///
     /// ```
-    /// use tilesat::broad::SortSweep;
-    /// use tilesat::scene::{SceneBody, SceneTag};
-    /// use tilesat::{Aabb, Scene, Vec2};
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Aabb, Vec2};
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 8, 8));
     /// let lift = scene.insert(&SceneBody::fixed(at(0)?, 1))?;
     /// scene.place(lift, at(4)?)?;
@@ -96,10 +95,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// ```
     /// # use core::num::NonZeroU8;
-    /// # use tilesat::broad::SortSweep;
-    /// # use tilesat::scene::{SceneBody, SceneTag};
-    /// # use tilesat::{Aabb, Scene, Vec2};
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// # use tilesat::scene::{SceneBody, SortSweepScene};
+    /// # use tilesat::{Aabb, Vec2};
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let bridge = scene.insert(&SceneBody::fixed(Aabb::new(Vec2::ZERO, Vec2::from_ints(40, 8))?, 1))?;
     /// scene.alter(bridge, |body| body.mass = NonZeroU8::new(5))?; // from now on it falls
     /// assert!(scene.is_awake(bridge)?);
@@ -144,15 +142,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// ```
     /// use tilesat::scene::{SceneBody, SortSweepScene};
-    /// use tilesat::{Aabb, TileKind, TileKinds, TileMap, Vec2, fx};
-    /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-    /// let (level, gravity) = (TileMap::from_ascii("..\n##", &KINDS)?, Vec2::new(fx!(0), fx!(0.25)));
-    /// let mut scene = SortSweepScene::<8>::empty();
-    /// let barrel = scene.insert(&SceneBody::new(Aabb::from_size(Vec2::from_ints(4, 8), Vec2::from_ints(8, 8))?, 1))?;
-    /// (0..100).try_for_each(|_| scene.step(&level, gravity, |_| {}).map(|_| ()))?;
-    /// assert!(scene.awake().is_empty());
-    /// scene.wake(barrel)?; // a wind begins, which your game adds in each step
-    /// assert_eq!(scene.awake(), [barrel]);
+    /// use tilesat::{Circle, TileKinds, TileMap, Vec2, fx};
+    /// let (level, mut scene) = (TileMap::from_ascii("....", &TileKinds::EMPTY)?, SortSweepScene::<8>::empty());
+    /// let mine = scene.insert(&SceneBody::new(Circle::new(Vec2::from_ints(8, 8), fx!(4))?, 1))?;
+    /// (0..100).try_for_each(|_| scene.step(&level, Vec2::ZERO, |_| {}).map(|_| ()))?;
+    /// assert!(scene.awake().is_empty()); // it floats, and sleeps
+    /// scene.wake(mine)?; // a current begins
+    /// assert_eq!(scene.awake(), [mine]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -168,13 +164,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// tile that changed, or of an explosion. The bodies that these touch wake one step later.
     ///
     /// ```
-    /// use tilesat::broad::SortSweep;
-    /// use tilesat::scene::{SceneBody, SceneTag};
-    /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Aabb, TileKind, TileKinds, TileMap, Vec2};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let (closed, open) = ("..\n##", "..\n#."); // a trapdoor below x = 16
     /// let closed = TileMap::from_ascii(closed, &KINDS)?;
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let barrel = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(18, 8), Vec2::from_ints(26, 16))?, 1))?;
     /// let gravity = Vec2::from_raw(0, 1 << 14);
     /// for _ in 0..100 {

@@ -86,16 +86,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// each body that lies on others takes another.
     ///
     /// ```
-    /// use tilesat::broad::SortSweep;
     /// use tilesat::motion::Ride;
-    /// use tilesat::scene::{SceneBody, SceneTag};
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
     /// use tilesat::world::{ConvexSolid, ConvexSolids};
-    /// use tilesat::{Aabb, ConvexPolygon, Joined, Ratio, Scene, Surface, TileKinds, TileMap, Vec2, fx};
+    /// use tilesat::{Aabb, ConvexPolygon, Joined, Ratio, Surface, TileKinds, TileMap, Vec2, fx};
     /// let level = TileMap::from_ascii("........\n........\n", &TileKinds::EMPTY)?;
     /// // A lift with a slope, and two crates on it, one on the other.
     /// let corners = [(0, 60), (60, 40), (60, 70), (0, 70)].map(|(x, y)| Vec2::from_ints(x, y));
     /// let mut lift = [ConvexSolid::new(ConvexPolygon::<4>::new(&corners)?, 7)?];
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let rough = Surface::new(Ratio::ZERO, Ratio::ONE);
     /// let at = |x, y| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + 8, y + 8));
     /// let crates = [(20, 30, 1), (20, 20, 2)].map(|(x, y, key)| (at(x, y).unwrap(), key));

@@ -225,10 +225,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Sets when bodies fall asleep, from the next step on.
     ///
     /// ```
-    /// use tilesat::broad::SortSweep;
-    /// use tilesat::scene::{SceneTag, Sleep};
-    /// use tilesat::Scene;
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// use tilesat::scene::{Sleep, SortSweepScene};
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// assert_eq!(scene.sleep(), Sleep::default());
     /// scene.set_sleep(Sleep::NEVER);
     /// assert_eq!(scene.sleep(), Sleep::NEVER);

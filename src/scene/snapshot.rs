@@ -25,11 +25,10 @@ use crate::filter::Filter;
 /// slot. Cost: one pass over the slots.
 ///
 /// ```
-/// use tilesat::broad::SortSweep;
-/// use tilesat::scene::{SceneBody, SceneTag};
-/// use tilesat::{Circle, Fx, Scene, TileKinds, TileMap, Vec2};
+/// use tilesat::scene::{SceneBody, SortSweepScene};
+/// use tilesat::{Circle, Fx, TileKinds, TileMap, Vec2};
 /// let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
-/// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+/// let mut scene = SortSweepScene::<8>::empty();
 /// let ball = SceneBody::new(Circle::new(Vec2::from_ints(8, 8), Fx::from_num(2))?, 1);
 /// scene.insert(&SceneBody { velocity: Vec2::from_ints(1, 0), ..ball })?;
 ///

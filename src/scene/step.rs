@@ -53,11 +53,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// it costs less.
     ///
     /// ```
-    /// use tilesat::broad::SortSweep;
-    /// use tilesat::scene::{Reply, SceneBody, SceneEvent, SceneTag};
-    /// use tilesat::{Aabb, Circle, Fx, Scene, TileKinds, TileMap, Vec2};
+    /// use tilesat::scene::{Reply, SceneBody, SceneEvent, SortSweepScene};
+    /// use tilesat::{Aabb, Circle, Fx, TileKinds, TileMap, Vec2};
     /// let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let at = |x| Aabb::new(Vec2::from_ints(x, 0), Vec2::from_ints(x + 4, 16));
     /// let friends = [scene.insert(&SceneBody::new(at(12)?, 1))?, scene.insert(&SceneBody::new(at(22)?, 2))?];
     /// let wall = scene.insert(&SceneBody::fixed(at(40)?, 3))?;
@@ -83,11 +82,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// With a list of pairs that do not meet for a while:
     ///
     /// ```
-    /// use tilesat::broad::{Exceptions, Ignore, SortSweep};
-    /// use tilesat::scene::{SceneBody, SceneEvent, SceneTag};
-    /// use tilesat::{Aabb, Circle, Fx, Scene, TileKinds, TileMap, Vec2};
+    /// use tilesat::broad::{Exceptions, Ignore};
+    /// use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
+    /// use tilesat::{Aabb, Circle, Fx, TileKinds, TileMap, Vec2};
     /// let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let ship = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(16, 8))?, 1))?;
     /// let shot = SceneBody::new(Circle::new(Vec2::from_ints(14, 4), Fx::ONE)?, 2);
     /// let shot = scene.insert(&SceneBody { velocity: Vec2::from_ints(2, 0), ..shot })?;
@@ -123,15 +122,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// each motion.
     ///
     /// ```
-    /// use tilesat::broad::SortSweep;
-    /// use tilesat::scene::{SceneBody, SceneTag};
-    /// use tilesat::{Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
     /// const CURTAIN: u8 = 1;
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'c', TileKind::FULL.with_flags(CURTAIN));
     /// static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
     /// let rows = "...c\n...c\n";
     /// let (level, ghosts) = (TileMap::from_ascii(rows, &KINDS)?, TileMap::from_ascii(rows, &GHOSTS)?);
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let body = |y, key| Circle::new(Vec2::from_ints(40, y), Fx::from_num(4)).map(|ball| SceneBody {
     ///     velocity: Vec2::from_ints(20, 0),
     ///     ..SceneBody::new(ball, key)
@@ -172,15 +170,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Cost: that of `step_in`. A program that calls both links the step twice.
     ///
     /// ```
-    /// use tilesat::broad::SortSweep;
-    /// use tilesat::scene::{SceneBody, SceneTag};
-    /// use tilesat::{Cell, Circle, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+    /// use tilesat::scene::{SceneBody, SortSweepScene};
+    /// use tilesat::{Cell, Circle, TileKind, TileKinds, TileMap, Vec2, fx};
     /// const CURTAIN: u8 = 1;
     /// static KINDS: TileKinds =
     ///     TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'c', TileKind::FULL.with_flags(CURTAIN));
     /// static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
     /// let level = TileMap::from_ascii("..c.c.#\n.......", &GHOSTS)?;
-    /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8>::new(SortSweep::new());
+    /// let mut scene = SortSweepScene::<8>::empty();
     /// let ghost = SceneBody::new(Circle::new(Vec2::from_ints(8, 8), fx!(4))?, 1);
     /// let ghost = scene.insert(&SceneBody { velocity: Vec2::from_ints(100, 20), ..ghost })?;
     /// let mut cells = Vec::new();

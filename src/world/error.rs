@@ -368,7 +368,7 @@ impl SegmentMapError {
                 let text = text.and("cell (").signed(x as i32).and(", ").signed(y as i32);
                 text.and(") has more than 127 polygons over each other: merge some")
             }
-            _ => text.and("the level does not fit its grid: use larger cells, or move it to the origin"),
+            _ => text.and("the level does not fit its grid: use larger cells"),
         }
     }
 }

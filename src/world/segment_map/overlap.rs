@@ -58,7 +58,7 @@ impl SegmentMap<'_> {
     /// const SHORE: [Vec2; 2] = [Vec2::from_ints(40, 48), Vec2::from_ints(80, 48)];
     /// segment_map!(static LEVEL: [Path::new(PathKind::Wall, &LAVA).with_flags(4), Path::new(PathKind::Wall, &SHORE)], fx!(32));
     /// let flags = |x| LEVEL.flags_touched(&Aabb::from_size(Vec2::from_ints(x, 34), Vec2::from_ints(10, 14)).unwrap());
-    /// assert_eq!((flags(20), flags(40), flags(41)), (4, 4, 0)); // its foot touches the end of the lava at x = 40
+    /// assert_eq!((flags(20), flags(40), flags(41)), (4, 4, 0));
     /// ```
     #[must_use]
     pub fn flags_touched<B: Probe>(&self, shape: &B) -> u8 {

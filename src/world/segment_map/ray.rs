@@ -55,7 +55,7 @@ rays! {
         /// const HILL: [Vec2; 3] = [Vec2::from_ints(0, 64), Vec2::from_ints(64, 16), Vec2::from_ints(128, 64)];
         /// segment_map!(static LEVEL: [Path::new(PathKind::Solid, &HILL)], fx!(32));
         /// let sees = |y| LEVEL.line_of_sight(Vec2::from_ints(10, y), Vec2::from_ints(118, y));
-        /// assert!(sees(15)? && !sees(17)?); // over the top, and not through it
+        /// assert!(sees(15)? && !sees(17)?);
         /// # Ok::<(), tilesat::RangeError>(())
         /// ```
         ///
