@@ -37,7 +37,7 @@ fn shapes_of_any_kind() {
     refused::<Aabb>(&aabbs[1], "/max/y/bits", json!(EDGE + 1), &["Aabb", "Y is out of range"]);
     refused::<Circle>(&circles[3], "/radius/bits", json!(-1), &["Circle", "Radius", "-1 raw"]);
     refused::<Circle>(&circles[1], "/centre/x/bits", json!(1), &["Circle", "X is out of range"]);
-    refused::<Segment>(&segments[0], "/b/x/bits", json!(i32::MIN), &["Segment", "X is out of range"]);
+    refused::<Segment>(&segments[0], "/b/x/bits", json!(i32::MIN), &["Segment", "X does not fit"]);
     refused::<Capsule>(&capsules[0], "/radius/bits", json!(-5), &["Capsule", "Radius"]);
     refused::<OrientedBox>(&turned[1], "/across/x/bits", json!(40_000), &["OrientedBox", "direction"]);
     refused::<OrientedBox>(&turned[1], "/along/x/bits", json!(i32::MIN), &["OrientedBox", "HalfExtent"]);
@@ -63,11 +63,16 @@ fn parts_of_games() {
     let [_, moves, turns] = convex_solids()[..] else { panic!("three") };
     refused(&moves, "/version", json!(2), &["version 2 is unknown"]);
     refused(&moves, "/change/Moves/x/bits", json!(1 << 28), &["ConvexSolid", "MotionX"]);
-    refused(&moves, "/shape/Circle/radius/bits", json!(0), &["ConvexSolid", "Area"]);
-    refused(&turns, "/change/Turns/OrientedBox/radius/bits", json!(9), &["ConvexSolid", "Rounding"]);
-    refused(&moves, "/change", json!({"Turns": to_value(moves.shape()).unwrap()}), &["ConvexSolid", "Rounding"]);
+    refused(&moves, "/shape/Circle/radius/bits", json!(0), &["ConvexSolid", "no area"]);
+    refused(&turns, "/change/Turns/OrientedBox/radius/bits", json!(9), &["ConvexSolid", "cannot have a radius"]);
+    refused(
+        &moves,
+        "/change",
+        json!({"Turns": to_value(moves.shape()).unwrap()}),
+        &["ConvexSolid", "cannot have a radius"],
+    );
     let triangle = AnyShape::from(crate::values::shapes().5[0]);
-    refused(&turns, "/change/Turns", to_value(triangle).unwrap(), &["ConvexSolid", "4 corners"]);
+    refused(&turns, "/change/Turns", to_value(triangle).unwrap(), &["ConvexSolid", "must have 4"]);
     refused::<Walker>(&walker(), "/snap/bits", json!(-1), &["Walker", "Snap"]);
     refused::<Walker>(&walker(), "/step/bits", json!(1 << 28), &["Walker", "StepHeight"]);
     refused::<Walker>(&walker(), "/mover/version", json!(0), &["version 0 is unknown"]);

@@ -46,7 +46,7 @@ fn plain_states_are_the_same() {
     any.iter().for_each(same);
     same(&Compound::<AnyShape<5>, 8>::new(&any).unwrap());
     let none = serde_json::from_str::<Compound<AnyShape<5>, 8>>("{\"parts\":[]}");
-    assert!(none.unwrap_err().to_string().contains("a compound needs a part"));
+    assert!(none.unwrap_err().to_string().contains("a compound needs at least one part"));
     solids().iter().for_each(same);
     convex_solids().iter().for_each(same);
     heroes().iter().for_each(same);
