@@ -16,6 +16,7 @@
 //! | [`drawing_and_replays`] | interpolation, slow motion, replays, rollback |
 //! | [`rollback`] | two machines: guesses, snapshots, replayed frames |
 //! | [`errors`] | each error, its cause, and what a game does |
+//! | [`guarantees`] | what is promised, how it is checked, and a check of your own level |
 //! | [`a_board_from_zero`] | from an empty folder to a program for a Cortex-M0 |
 //! | [`coming_from`] | bump, Godot, rapier, Celeste: their terms and ours |
 
@@ -48,6 +49,7 @@ chapters! {
     drawing_and_replays
     rollback
     errors
+    guarantees
     a_board_from_zero
     coming_from
 }
