@@ -55,6 +55,7 @@ done
 tables=(
     README.md:short:short.awk
     guide/a_board_from_zero.md:stack:'short.awk -v page=board'
+    guide/many_bodies.md:flash:'short.awk -v page=scenes'
     src/boards.md:counts:readme.awk
     src/broad/guide.md:bodies:bodies.awk
     src/scene/set.rs:costs:scene.awk

@@ -1,6 +1,7 @@
 # Prints the README's short table, whole programs first: awk -f read.awk -f short.awk counts.txt
 # readme.awk prints the long one. -v page=board prints only the programs, and how much stack to
-# leave, for the guide's board from zero. Stack is that at the level of optimisation that takes
+# leave, for the guide's board from zero. -v page=scenes prints the flash of scenes, for its many
+# bodies. Stack is that at the level of optimisation that takes
 # more. For a scene it is the bound: bodies meet in too many ways to see the most of it.
 BEGIN {
     hero("a hero among blocks", "a `Character` among `Blocks`")
@@ -48,8 +49,14 @@ function most(i, where, range) {
     return range
 }
 function kilobytes(bytes) { return sprintf("%.1f KB", bytes / 1024) }
+function flash(i) { return at(flash_of[i], "M0") }
 END {
-    print "| whole programs and calls | flash, bytes | instructions at \"s\" | at 3 | at most, at 3 | stack, bytes | static RAM, bytes |"
+    if (page == "scenes") {
+        printf "On a Cortex-M0, a program with a `Scene` takes %d KB of flash (1 KB is 1024 bytes): it does not fit a\n", flash(5) / 1024 + 0.5
+        printf "chip of 64 KB. With lifts it takes %d KB, and %d KB if the lifts have any convex shape.\n", flash(6) / 1024 + 0.5, flash(7) / 1024 + 0.5
+        exit
+    }
+    print "| whole programs and calls | flash, bytes | mean instructions at \"s\" | mean at 3 | maximum at 3 | stack, bytes | static RAM, bytes |"
     print "|---|--:|--:|--:|--:|--:|--:|"
     for (i = 1; i <= (page == "board" ? shown : lines); i++)
         printf "| %s | %s | %s | %s | %s | %s | %s |\n", say[i], spaced(at(flash_of[i], "M0")), spaced(at(count_of[i], "M0 at s")), spaced(at(count_of[i], "M0")), spaced(most(i)), spaced(stack(i)), i in RAM ? spaced(at("RAM" SUBSEP RAM[i], "M0")) : ""
