@@ -52,8 +52,8 @@ function kilobytes(bytes) { return sprintf("%.1f KB", bytes / 1024) }
 function flash(i) { return at(flash_of[i], "M0") }
 END {
     if (page == "scenes") {
-        printf "On a Cortex-M0, a program with a `Scene` takes %d KB of flash (1 KB is 1024 bytes): it does not fit a\n", flash(5) / 1024 + 0.5
-        printf "chip of 64 KB. With lifts it takes %d KB, and %d KB if the lifts have any convex shape.\n", flash(6) / 1024 + 0.5, flash(7) / 1024 + 0.5
+        printf "On a Cortex-M0, a program with a `Scene` takes %d KB of flash, where 1 KB is 1024 bytes.\n", flash(5) / 1024 + 0.5
+        printf "It does not fit a chip of 64 KB. With lifts it takes %d KB, and %d KB if the lifts have any\nconvex shape.\n", flash(6) / 1024 + 0.5, flash(7) / 1024 + 0.5
         exit
     }
     print "| whole programs and calls | flash, bytes | mean instructions at \"s\" | mean at 3 | maximum at 3 | stack, bytes | static RAM, bytes |"

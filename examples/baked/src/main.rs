@@ -10,7 +10,7 @@
     allow(unsafe_code, reason = "entry points of a bare-metal program are unsafe by nature")
 )]
 
-use tilesat::{Axis, Circle, Fx, MoveError, Mover, Vec2, World};
+use tilesat::{Axis, Circle, MoveError, Mover, Vec2, World, fx};
 
 include!(concat!(env!("OUT_DIR"), "/levels.rs"));
 
@@ -20,7 +20,7 @@ const FRAMES: u32 = 3600;
 /// The position at which a ball comes to rest.
 fn fall(level: &impl World, from: Vec2) -> Result<Vec2, MoveError> {
     let mover = Mover::platformer(Axis::NEG_Y);
-    let mut ball = Circle::new(from, Fx::lit("5"))?;
+    let mut ball = Circle::new(from, fx!(5))?;
     let mut velocity = Vec2::ZERO;
     for _ in 0..FRAMES {
         let moved = mover.move_and_slide(level, &ball, velocity + Vec2::from_raw(0, 16_384))?;

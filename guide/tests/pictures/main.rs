@@ -1,5 +1,5 @@
-//! The pictures of the guide are drawn from the library's answers, and the committed files are these
-//! pictures.
+//! The pictures of the guide are drawn from the library's answers. The committed files are equal to
+//! what this draws.
 //!
 //! `TILESAT_BLESS=1 cargo test -p tilesat-guide --test pictures` draws them again.
 

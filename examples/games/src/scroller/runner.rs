@@ -1,7 +1,7 @@
 //! The runner. It runs to the right, over every obstacle, from room to room.
 
 use core::fmt;
-use tilesat::{Aabb, AllShapes, Axis, Fx, MoveError, Mover, Room, Rooms, Vec2, Walker, motion::Support};
+use tilesat::{Aabb, AllShapes, Axis, MoveError, Mover, Room, Rooms, Vec2, Walker, fx, motion::Support};
 
 use super::world::{CELL, WIDTH};
 
@@ -37,7 +37,7 @@ pub struct Runner<'a> {
 impl<'a> Runner<'a> {
     /// Starts in the first room. `None` in a world without one.
     pub fn new(world: &Rooms<'a, AllShapes>) -> Result<Option<Self>, MoveError> {
-        let walker = Walker::new(Mover::platformer(Axis::NEG_Y)).with_step(Fx::lit("6"))?.with_snap(Fx::lit("6"))?;
+        let walker = Walker::new(Mover::platformer(Axis::NEG_Y)).with_step(fx!(6))?.with_snap(fx!(6))?;
         let body = Aabb::new(Vec2::from_ints(8, 60), Vec2::from_ints(18, 74))?;
         Ok(world.room(0, 0).map(|room| Self {
             room,

@@ -1,15 +1,15 @@
 //! The world: a hundred screens, of five drawn ones. A byte per tile in flash, in rooms of any
 //! size.
 
-use tilesat::{AllShapes, Fx, Room, Rooms, TileKind, TileKinds, TileMapError, TileShape};
+use tilesat::{AllShapes, Fx, Room, Rooms, TileKind, TileKinds, TileMapError, TileShape, fx};
 
 /// The side of a cell in pixels.
-pub const CELL: Fx = Fx::lit("16");
+pub const CELL: Fx = fx!(16);
 pub const WIDTH: u16 = SCREEN as u16 * 100;
 pub const HEIGHT: u16 = ROWS as u16;
 /// The tallest body, and the longest motion per frame with its step and snap, in pixels.
-pub const BODY: Fx = Fx::lit("14");
-pub const MOTION: Fx = Fx::lit("28");
+pub const BODY: Fx = fx!(14);
+pub const MOTION: Fx = fx!(28);
 
 const SCREEN: usize = 25;
 const ROWS: usize = 8;
