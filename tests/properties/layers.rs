@@ -1,5 +1,5 @@
 //! The files of the library form layers. None imports itself, even indirectly, and none imports
-//! from a layer above. No two of them have types of one name.
+//! from a layer above. No two of them have types of one name. The root has few names.
 //!
 //! An import is a path behind `use`, or one in the code that begins with `crate`, `super`, a module
 //! below or an imported name. If a file only re-exports (`pub use`), the import counts for the file
@@ -238,4 +238,15 @@ fn files_stand_in_layers() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Crates, modules and macros do not count.
+#[test]
+fn the_root_has_at_most_sixty_names() {
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).unwrap();
+    let uses = text.split("\npub use ").skip(1).filter_map(|rest| rest.split_once(';'));
+    let paths = uses.flat_map(|(tree, _)| leaves(tree)).filter(|(path, _)| path.len() > 1);
+    let names: BTreeSet<String> = paths.map(|(_, name)| name).collect();
+    assert!(["Character", "Fx", "TileMap", "World"].iter().all(|&name| names.contains(name)), "{names:#?}");
+    assert!(names.len() <= 60, "{} names: {names:#?}", names.len());
 }
