@@ -69,6 +69,8 @@ pub enum Quantity {
     EndX,
     /// The vertical coordinate at which a motion or a ray would end.
     EndY,
+    /// A speed or an acceleration of a [`Feel`](crate::Feel) that is negative.
+    Feel,
 }
 
 /// An input outside the range that keeps arithmetic exact; nothing was changed.
@@ -132,6 +134,7 @@ impl fmt::Display for RangeError {
                     Fx::from_bits(value)
                 );
             }
+            Quantity::Feel => "all but its gravity must not be negative: \"up\" follows from that",
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };

@@ -233,6 +233,7 @@ impl<B: Body> Character<B> {
     }
 
     pub(super) fn walker(&self, drop: bool) -> Result<Walker, RangeError> {
+        self.feel.check()?;
         let Feel { snap, step, slope_speed, .. } = self.feel;
         let walker = Walker::new(self.mover().with_drop_through(drop)).with_slope_speed(slope_speed);
         walker.with_snap(snap)?.with_step(step)

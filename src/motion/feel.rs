@@ -2,6 +2,7 @@
 //! moves, and what happened in a frame.
 
 use super::{Hits, SlopeSpeed};
+use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx};
 
 /// The player's input for one frame.
@@ -81,6 +82,9 @@ pub enum OnLeave {
 
 /// How a [`Character`](crate::Character) moves. Lengths are units, times are frames.
 ///
+/// Only `gravity` has a sign. No other number may be negative, so write a jump speed of -4.5 of
+/// another engine as 4.5.
+///
 /// The default suits cells of 16 units at 60 frames per second. A jump rises 42.75 units in 18
 /// frames. Change any value, in any frame:
 ///
@@ -133,14 +137,23 @@ pub struct Feel {
     pub wall_jump: Option<Fx>,
     /// The fastest fall while the body runs against a wall. `None`: the same as elsewhere.
     pub wall_slide: Option<Fx>,
-    /// How the motion of a solid is used that the body leaves.
+    /// What happens to a solid's motion when the body leaves the solid.
     pub on_leave: OnLeave,
 }
 
 impl Feel {
-    /// The default: gravity 0.25, fastest fall 6, jump 4.5 cut to 1.5, coyote and buffer 5 frames,
-    /// acceleration 0.5 and in the air 0.25, snap 5, step 4, constant speed on slopes. Wall jump
-    /// and wall slide are off. The motion of a solid is [kept](OnLeave::Keep).
+    /// The default.
+    ///
+    /// | field | value |
+    /// |---|---|
+    /// | gravity, fastest fall | 0.25, 6 |
+    /// | jump, cut to | 4.5, 1.5 |
+    /// | coyote, buffer | 5, 5 frames |
+    /// | acceleration, in the air | 0.5, 0.25 |
+    /// | snap, step | 5, 4 |
+    /// | slope speed | constant |
+    /// | wall jump, wall slide | off |
+    /// | motion of a solid | [kept](OnLeave::Keep) |
     pub const DEFAULT: Self = Self {
         gravity: Fx::from_bits(0x4000), // 0.25
         fall: Fx::from_bits(6 << 16),
@@ -157,6 +170,14 @@ impl Feel {
         wall_slide: None,
         on_leave: OnLeave::Keep,
     };
+
+    /// Refuses speeds with a sign, as other engines have them: the hero would jump into the ground.
+    pub(super) fn check(&self) -> Result<(), RangeError> {
+        let Self { fall, jump, jump_cut, acceleration, air_acceleration, wall_jump, wall_slide, .. } = *self;
+        let (off, along) = (wall_jump.unwrap_or(Fx::ZERO), wall_slide.unwrap_or(Fx::ZERO));
+        let least = fall.min(jump).min(jump_cut).min(acceleration).min(air_acceleration).min(off).min(along);
+        if least < 0 { Err(RangeError { what: Quantity::Feel, value: least.to_bits() }) } else { Ok(()) }
+    }
 
     pub(super) const fn falls_to_larger_y(&self) -> bool {
         self.gravity.to_bits() >= 0

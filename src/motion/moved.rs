@@ -18,9 +18,10 @@ pub struct Moved<B> {
     pub body: B,
     /// The velocity after the response. Pass it to the next call.
     pub velocity: Vec2,
-    /// The motion that was not made, in units. It is the rest of a stopped body's motion, or what
-    /// remains after [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces: in a tight spot, or
-    /// after that many bounces.
+    /// The motion that is still to make, in units. It is the rest of a stopped body's motion, or
+    /// what remains after [`Mover::ITERATIONS`](super::Mover::ITERATIONS) pieces: in a tight spot,
+    /// or after that many bounces. A body that slides has none left, even if a wall took all of
+    /// its motion. What a wall took is the velocity before, minus that after.
     pub remaining: Vec2,
     /// The hits, in order.
     pub hits: Hits,
@@ -141,14 +142,25 @@ impl From<RangeError> for MoveError {
     }
 }
 
+impl fmt::Display for Stuck {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (x, y) = self.at;
+        let at = (Fx::from_bits(x), Fx::from_bits(y));
+        write!(
+            f,
+            "the body at ({}, {}) = ({x}, {y}) raw overlaps the level: move it out, for example with `motion::escape`",
+            at.0, at.1
+        )
+    }
+}
+
+impl core::error::Error for Stuck {}
+
 impl fmt::Display for MoveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Range(e) => e.fmt(f),
-            Self::Stuck(Stuck { at: (x, y) }) => {
-                let at = (Fx::from_bits(*x), Fx::from_bits(*y));
-                write!(f, "the body at ({}, {}) = ({x}, {y}) raw overlaps the level", at.0, at.1)
-            }
+            Self::Stuck(e) => e.fmt(f),
         }
     }
 }

@@ -35,7 +35,10 @@ fn a_fast_body_leaves_what_it_overlaps_on_every_side() {
             let away = fx!(20) - deep;
             let at = fx!(80);
             let (x, y) = (at + away * Fx::from_num(side.0), at + away * Fx::from_num(side.1));
-            let shapes: [Shape; 2] = [rect(x, y, 20, 20).into(), Circle::new(Vec2::new(x, y) + Vec2::from_ints(10, 10), fx!(10)).unwrap().into()];
+            let shapes: [Shape; 2] = [
+                rect(x, y, 20, 20).into(),
+                Circle::new(Vec2::new(x, y) + Vec2::from_ints(10, 10), fx!(10)).unwrap().into(),
+            ];
             for shape in shapes {
                 let mut scene = Swept::new(SortSweep::new());
                 scene.insert(&SceneBody::fixed(rect(at, at, 20, 20), 1)).unwrap();

@@ -362,6 +362,19 @@ fn wrong_input_is_refused_and_changes_nothing() {
     assert_eq!(bad(with(Feel { jump: Fx::MAX, ..base }), JUMP), Some(Quantity::MotionY));
     assert_eq!(bad(with(Feel { snap: fx!(-1), ..base }), NOTHING), Some(Quantity::Snap));
     assert_eq!(bad(with(Feel { step: Fx::MAX, ..base }), NOTHING), Some(Quantity::StepHeight));
+    let signed = [
+        Feel { fall: fx!(-6), ..base },
+        Feel { jump: fx!(-4.5), ..base },
+        Feel { jump_cut: -Fx::DELTA, ..base },
+        Feel { acceleration: fx!(-1), ..base },
+        Feel { air_acceleration: fx!(-1), ..base },
+        Feel { wall_jump: Some(fx!(-2)), ..base },
+        Feel { wall_slide: Some(fx!(-2)), ..base },
+    ];
+    for feel in signed {
+        assert_eq!(bad(with(feel), NOTHING), Some(Quantity::Feel), "{feel:?}");
+    }
+    assert_eq!(bad(with(Feel { gravity: fx!(-0.25), ..base }), NOTHING), None);
     for gravity in [Fx::MIN, Fx::MAX, Fx::ZERO, Fx::DELTA] {
         for all in [Fx::MIN, Fx::MAX, fx!(-1)] {
             let feel = Feel {

@@ -67,7 +67,7 @@ mod walk {
                 -bands <= v && v < i32::from(count) + bands
             };
             let cells =
-                (0..4).filter_map(|n| walk.cell(n)).filter(|c| known(c.0, grid.x.count) && known(c.1, grid.y.count));
+                (0..4).filter_map(|n| walk.cell(n)).filter(|c| known(c.0, grid.width()) && known(c.1, grid.height()));
             steps.push(sorted(cells.map(|(x, y)| Cell::of(x, y)).collect()));
             let over = grid.next_lines(&walk.x, &walk.y, beyond);
             if over == 0 {
