@@ -114,7 +114,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     }
     let cells = cells::merge(&sheets, flags)?;
     layers.unseen(&sheets, &outlines);
-    let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes);
+    let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;
     outlines.splice(0..0, of_tiles);
     if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
         nothing::explain(map, &sheets, options)?;

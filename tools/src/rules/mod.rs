@@ -7,6 +7,7 @@ mod form;
 pub mod ground;
 mod identifier;
 pub mod kind;
+mod knots;
 mod layers;
 mod likeness;
 pub mod names;

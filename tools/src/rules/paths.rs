@@ -5,28 +5,57 @@ use tilesat::TileShape;
 use super::cells::{Cells, Placed};
 use super::flags::Flags;
 use super::kind::Kind;
+use super::knots::{self, Knot};
 use super::likeness;
 use super::outline::{Outline, Title};
 use super::place::Unit;
 use super::union;
 use super::weld::{self, Form};
 use crate::model::decimal::Decimal;
-use crate::model::object::Spot;
+use crate::model::object::{self, Spot};
 
 /// Raw corners.
 type Polygon = Vec<(i64, i64)>;
 
 /// The outlines of these cells' paths. Welds their corners by up to `weld` raw units, and joins
 /// polygons of the same flags.
-pub(super) fn outlines(cells: &Cells, unit: Unit, weld: i64, flags: &Flags, notes: &mut Vec<String>) -> Vec<Outline> {
+///
+/// # Errors
+///
+/// If a polygon crosses itself, and its inside is not clear.
+pub(super) fn outlines(
+    cells: &Cells,
+    unit: Unit,
+    weld: i64,
+    flags: &Flags,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Outline>, String> {
     let mut outlines = Vec::new();
     let mut polygons: Vec<(u8, Vec<Polygon>)> = Vec::new();
     let (mut error, mut layers): (u32, Vec<&str>) = (0, Vec::new());
     let shown: Vec<&Placed> = cells.paths.iter().filter(|placed| !cells.hides(&placed.path)).collect();
     let (drawn, welded) = welded(cells, &shown, weld);
+    if let Some(torn) = shown.iter().find(|placed| placed.path.torn) {
+        let count = shown.iter().filter(|placed| placed.path.torn).count();
+        notes.push(format!(
+            "{count} polygons are parts of collision polygons that cross themselves, the first in layer '{}' at {}: \
+             each part counts; put their corners in order",
+            torn.layer,
+            pixels(torn.path.points[0])
+        ));
+    }
     for (placed, points) in shown.into_iter().zip(drawn) {
         let raw = points.iter().map(|&(x, y)| (unit.raw(x).0, unit.raw(y).0)).collect();
         error = error.max(placed.path.error);
+        let has_inside = placed.path.closed && placed.path.kind.has_area();
+        if has_inside && matches!(knots::of(&object::raw(&points)), Knot::Unclear(_)) {
+            return Err(format!(
+                "layer '{}': a collision polygon of its tile at {} crosses itself, and its inside is not clear: draw \
+                 two polygons, or put its corners in order",
+                placed.layer,
+                pixels(points[0])
+            ));
+        }
         if placed.path.closed && placed.path.kind == Kind::Solid {
             if !layers.contains(&placed.layer.as_str()) {
                 layers.push(&placed.layer);
@@ -56,7 +85,7 @@ pub(super) fn outlines(cells: &Cells, unit: Unit, weld: i64, flags: &Flags, note
              corner (--weld 0 leaves them as drawn)"
         ));
     }
-    outlines
+    Ok(outlines)
 }
 
 /// The corners of each path after welding, and how many moved.
@@ -87,6 +116,10 @@ fn on_border(shape: TileShape, tile: u16) -> Polygon {
     corners.sort_unstable();
     corners.dedup();
     corners
+}
+
+fn pixels((x, y): Spot) -> String {
+    format!("({}, {})", x.to_f64(), y.to_f64())
 }
 
 fn outline((kind, closed): (Kind, bool), points: Polygon, flags: Vec<String>, layer: &str) -> Outline {

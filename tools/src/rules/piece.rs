@@ -6,12 +6,13 @@ use tilesat::TileShape;
 
 use super::form;
 use super::kind::Kind;
+use super::knots::{self, Knot};
 use super::likeness::{self, Likeness};
 use super::names;
 use super::union::union;
 use super::verdict::Solid;
 use super::weld;
-use crate::geometry::doubled_area;
+use crate::geometry::{Point, doubled_area};
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
@@ -46,6 +47,8 @@ pub(super) struct Path {
     pub(super) error: u32,
     /// The corners that moved onto the border of the tile.
     pub(super) welded: u32,
+    /// Whether it is a part of a drawn polygon that crosses itself.
+    pub(super) torn: bool,
 }
 
 /// The drawing position of a tile, in pixels from the corner of its cell.
@@ -151,12 +154,36 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
             let (w, h) = set.size_of(id);
             let size = if w == 0 || h == 0 { (side, side) } else { (i64::from(w), i64::from(h)) };
             let mut paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
-            for path in paths.iter_mut().filter(|path| path.error == 0) {
-                path.welded = weld::onto_border(&mut path.points, path.closed, frame.corners(), weld);
+            onto_border(&mut paths, frame, weld);
+            // A small crossing does not make a polygon unlike a shape of the library.
+            match if frame.corners() == cell { recognised(paths, side, likeness) } else { Piece::Paths(paths) } {
+                Piece::Paths(paths) => Piece::Paths(untied(paths, frame, weld)),
+                Piece::Cells { at, size, beside } => Piece::Cells { at, size, beside: untied(beside, frame, weld) },
+                shape @ Piece::Shape(_) => shape,
             }
-            if frame.corners() == cell { recognised(paths, side, likeness) } else { Piece::Paths(paths) }
         }
     }
+}
+
+fn onto_border(paths: &mut [Path], frame: Frame, weld: i64) {
+    for path in paths.iter_mut().filter(|path| path.error == 0) {
+        path.welded += weld::onto_border(&mut path.points, path.closed, frame.corners(), weld);
+    }
+}
+
+/// Takes polygons that cross themselves apart.
+fn untied(paths: Vec<Path>, frame: Frame, weld: i64) -> Vec<Path> {
+    let apart = |path: Path| match knots::of(&raw(&path.points)) {
+        Knot::Parts(parts) if path.closed && path.kind.has_area() => {
+            let spots = |part: Vec<Point>| part.into_iter().map(weld::exact).collect();
+            let part = |part| Path { points: spots(part), torn: true, ..path.clone() };
+            let mut parts: Vec<Path> = parts.into_iter().map(part).collect();
+            onto_border(&mut parts, frame, weld);
+            parts
+        }
+        _ => vec![path],
+    };
+    paths.into_iter().flat_map(apart).collect()
 }
 
 /// The collision shapes of a tile as an object, from the corner of its picture, which is drawn at
@@ -231,7 +258,7 @@ fn stretched(shape: TileShape, frame: Frame) -> Vec<Path> {
         points.push(end);
     }
     let kind = if closed { Kind::Solid } else { Kind::OneWay };
-    vec![Path { kind, closed, points: points.into_iter().map(place).collect(), error: 0, welded: 0 }]
+    vec![Path { kind, closed, points: points.into_iter().map(place).collect(), error: 0, welded: 0, torn: false }]
 }
 
 fn near(a: (f64, f64), b: (f64, f64)) -> bool {
@@ -270,7 +297,7 @@ fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option
     if flip.diagonal ^ flip.horizontal ^ flip.vertical {
         points.reverse();
     }
-    Some(Path { kind, closed, points, error: corners.error, welded: 0 })
+    Some(Path { kind, closed, points, error: corners.error, welded: 0, torn: false })
 }
 
 /// A tile with more corners is not a shape of the library.

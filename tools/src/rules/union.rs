@@ -165,7 +165,7 @@ fn simple(points: Vec<Point>) -> Vec<Vec<Point>> {
 }
 
 /// Splits a loop where it first crosses itself. Borders of polygons over each other do.
-fn halves(points: &[Point]) -> Option<[Vec<Point>; 2]> {
+pub(super) fn halves(points: &[Point]) -> Option<[Vec<Point>; 2]> {
     let (from, to, at) = crossing(points, |_| true)?;
     let mut parts = [points[from + 1..=to].to_vec(), [&points[to + 1..], &points[..=from]].concat()];
     for part in &mut parts {

@@ -131,7 +131,7 @@ pub(super) fn onto_neighbours(forms: &mut [Form<'_>], fixed: impl Fn(Point) -> V
     forms.iter_mut().filter(|form| form.can_move()).map(weld).sum()
 }
 
-fn exact((x, y): Point) -> Spot {
+pub(super) fn exact((x, y): Point) -> Spot {
     let pixels = |raw: i64| Decimal::whole(raw >> 16) + Decimal::whole(raw & 0xffff).scaled(1, 1 << 16);
     (pixels(x), pixels(y))
 }

@@ -13,6 +13,7 @@ mod damaged;
 mod drawn;
 mod formats;
 mod hostile;
+mod knots;
 mod large;
 mod ldtk;
 mod level;
