@@ -50,6 +50,19 @@ impl Decimal {
         (value < LIMIT).then_some(Self(if negative { -value } else { value }))
     }
 
+    /// The same. A number from a million on is a million.
+    pub fn saturated(text: &[u8]) -> Option<Self> {
+        let is_number = text.iter().all(|byte| b"+-.eE0123456789 \t".contains(byte));
+        let far = || std::str::from_utf8(text).ok()?.trim().parse::<f64>().ok().filter(|v| v.abs() >= 1e6);
+        let end = |v: f64| Self(if v < 0.0 { -LIMIT } else { LIMIT });
+        Self::parse(text).or_else(|| far().filter(|_| is_number).map(end))
+    }
+
+    /// Whether it is a million or more.
+    pub fn is_far(self) -> bool {
+        self.0.abs() >= LIMIT
+    }
+
     /// A whole number of pixels. Saturates.
     pub fn whole(value: i64) -> Self {
         Self(i128::from(value).saturating_mul(ONE).clamp(-LIMIT, LIMIT))

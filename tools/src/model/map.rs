@@ -30,6 +30,19 @@ pub struct Map {
     pub properties: Vec<(String, Properties)>,
     /// For the user: what was read otherwise than the file suggests.
     pub notes: Vec<String>,
+    /// What was dropped or guessed: whose it is, and what.
+    pub warnings: Vec<(String, String)>,
+    pub gaps: Vec<Gap>,
+}
+
+/// An object that was read without its template. Whether it is solid is not known, unless its own
+/// values say so.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Gap {
+    pub layer: String,
+    pub object: u32,
+    /// Why the template cannot be read.
+    pub why: String,
 }
 
 impl Map {

@@ -31,6 +31,8 @@ pub struct Tileset {
     pub properties: Properties,
     /// The tiles with more data than their picture.
     pub tiles: HashMap<u32, Tile>,
+    /// Why its file cannot be read, if it cannot. Then nothing is known about its tiles.
+    pub missing: Option<String>,
 }
 
 /// The data of a tile.

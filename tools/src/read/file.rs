@@ -2,7 +2,7 @@
 
 use std::fs::{self, File};
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// A map of 4096 x 4096 tiles fits, as a list of numbers of five digits.
 const MAX_BYTES: u64 = 112 << 20;
@@ -14,6 +14,8 @@ const MAX_TOTAL: u64 = 160 << 20;
 pub(crate) struct Files {
     /// No output may overwrite one of them.
     pub(crate) read: Vec<PathBuf>,
+    /// Names that are not quite those of files.
+    pub(crate) notes: Vec<String>,
     total: u64,
 }
 
@@ -35,9 +37,28 @@ impl Files {
         if bytes.len() as u64 > most {
             return Err(self.too_large());
         }
+        if bytes.starts_with(b"version https://git-lfs") {
+            return Err("a pointer of Git LFS, not the file: run `git lfs pull`".to_owned());
+        }
         self.total += bytes.len() as u64;
         self.read.push(path.to_owned());
         Ok(bytes)
+    }
+
+    /// The path of a file that another file in this folder names. Some systems write `\\` between
+    /// folders, and do not distinguish case. A file is taken for it if it is the only one.
+    pub(crate) fn named(&mut self, folder: &Path, name: &str) -> PathBuf {
+        let exact = folder.join(name);
+        if exact.exists() {
+            return exact;
+        }
+        let slashes = name.replace('\\', "/");
+        let Some(found) = alike(folder, Path::new(&slashes)) else { return exact };
+        let note = format!("the file '{name}' is read from {}", found.display());
+        if found != folder.join(&slashes) && !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
+        found
     }
 
     fn too_large(&self) -> String {
@@ -47,4 +68,26 @@ impl Files {
             format!("the files of the level are larger than {} MiB together", MAX_TOTAL >> 20)
         }
     }
+}
+
+/// The only file whose name is this one, in any case.
+fn alike(folder: &Path, name: &Path) -> Option<PathBuf> {
+    let mut path = folder.to_owned();
+    for part in name.components() {
+        let next = path.join(part);
+        if next.exists() || !matches!(part, Component::Normal(_)) {
+            path = next;
+            continue;
+        }
+        let wanted = part.as_os_str().to_str()?.to_lowercase();
+        let folder = if path.as_os_str().is_empty() { Path::new(".") } else { &path };
+        let names = fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+        let mut like = names.filter(|known| known.to_lowercase() == wanted);
+        let only = like.next()?;
+        if like.next().is_some() {
+            return None;
+        }
+        path.push(only);
+    }
+    Some(path)
 }

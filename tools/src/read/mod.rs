@@ -62,11 +62,12 @@ fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Res
     if json::is_json(&bytes) && end != "tmj" {
         match ldtk::looks(&bytes) {
             ldtk::Looks::Map => {}
-            looks if end == "ldtk" || looks == ldtk::Looks::Project => return ldtk::read(&bytes, level, path, files),
+            looks if end == "ldtk" || looks == ldtk::Looks::Project => {
+                return ldtk::read(&bytes, level, path, files).map_err(|why| tiled::mark(&bytes).unwrap_or(why));
+            }
             _ => {
-                return Err(
-                    "neither a map of Tiled (it has no orientation) nor a project of LDtk (it has no defs)".to_owned()
-                );
+                let neither = "neither a map of Tiled (it has no orientation) nor a project of LDtk (it has no defs)";
+                return Err(tiled::foreign(&bytes).unwrap_or_else(|| neither.to_owned()));
             }
         }
     }

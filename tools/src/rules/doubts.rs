@@ -1,8 +1,10 @@
 //! Names that are nearly a word of the rules: most likely a slip of the pen.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::words::plain;
+use super::names;
+use super::words::{plain, several};
+use crate::model::map::{Map, Placed};
 
 /// The words that make something solid or one-way.
 const WORDS: [&str; 8] = ["collision", "solid", "collides", "collidable", "wall", "blocked", "oneway", "hole"];
@@ -18,6 +20,31 @@ pub(super) fn near_misses<'a>(names: impl Iterator<Item = &'a str>) -> Vec<(Stri
     .collect()
 }
 
+/// A doubt about each value of the property `shape` of a drawn tile that is no shape.
+pub(super) fn shapes(map: &Map) -> Vec<(String, String)> {
+    let mut found: BTreeMap<(usize, String), (u32, usize)> = BTreeMap::new();
+    let tiles: BTreeSet<(usize, u32)> = map.palette.iter().filter_map(placed).collect();
+    for (index, id) in tiles {
+        let value = map.tilesets[index].tiles.get(&id).and_then(|tile| tile.properties.text("shape"));
+        let value = value.filter(|value| !value.trim().is_empty() && names::shape(value.trim()).is_none());
+        if let Some(value) = value {
+            found.entry((index, value)).or_insert((id, 0)).1 += 1;
+        }
+    }
+    let doubt = |((index, value), (id, count)): ((usize, String), (u32, usize))| {
+        let what = format!(
+            "the property shape '{value}' of {}, the first of them {id}, is no shape of the library, so it has no effect",
+            several(count, "tile")
+        );
+        (format!("tileset '{}'", map.tilesets[index].name), what)
+    };
+    found.into_iter().map(doubt).collect()
+}
+
+fn placed(placed: &Placed) -> Option<(usize, u32)> {
+    if let Placed::Tile { tileset, id, .. } = placed { Some((*tileset, *id)) } else { None }
+}
+
 fn near(name: &str) -> Option<&'static str> {
     let name = plain(name);
     // Names that differ at their start are other words: a ball is no wall.
@@ -30,7 +57,7 @@ fn near(name: &str) -> Option<&'static str> {
 }
 
 /// How many letters must be added, left out or exchanged to make one name the other.
-fn distance(a: &str, b: &str) -> usize {
+pub(super) fn distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, x) in a.chars().enumerate() {

@@ -26,7 +26,7 @@ use super::outline::{LeftOut, Outline};
 use super::piece::Piece;
 use super::place::{self, Unit};
 use super::report::Applied;
-use super::{doubts, nothing, paths, unused};
+use super::{doubts, nothing, objects, paths, unread, unused};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
@@ -90,6 +90,11 @@ impl Ground {
     }
 }
 
+/// The most reasons of the reader after the advice for a level without a solid.
+const MOST_REASONS: usize = 3;
+const READ: &str = "the file is not quite what was meant";
+const FALL: &str = "bodies pass through what is not solid";
+
 type Made<T> = std::result::Result<T, String>;
 
 fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
@@ -104,6 +109,8 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
             Content::Image => layers.ignored.push(format!("image layer '{}'", layer.name)),
         }
     }
+    let mut doubts = unread::templates(map, options)?;
+    doubts.extend(unread::tilesets(map, &sheets)?);
     let (mut outlines, mut left_out) = layers.objects(false)?;
     let empty = |piece: &Piece| *piece == Piece::Shape(TileShape::Empty);
     if outlines.is_empty() && sheets.iter().all(|sheet| sheet.pieces.values().all(empty)) {
@@ -117,11 +124,16 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;
     outlines.splice(0..0, of_tiles);
     if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
-        nothing::explain(map, &sheets, options)?;
+        nothing::explain(map, &sheets, options).map_err(|why| {
+            let missing = map.tilesets.iter().find_map(|set| set.missing.as_ref());
+            let why = missing.map_or(why.clone(), |missing| format!("{missing}; without it, {why}"));
+            let read = map.warnings.iter().cloned().chain(doubts::shapes(map));
+            read.take(MOST_REASONS).fold(why, |why, (who, what)| format!("{why}; {who}: {what}"))
+        })?;
         layers.notes.push("it is empty: nothing is drawn".to_owned());
     }
     let classes = left_out.iter().map(|object| object.class.as_str());
-    let mut doubts: Vec<Doubt> = Vec::new();
+    doubts.extend(map.warnings.iter().map(|(who, what)| Doubt { who: who.clone(), what: what.clone(), why: READ }));
     for layer in &cells.lost {
         let what = "its flags are in no output: its cells are not those of the solid; give both layers one grid";
         doubts.push(Doubt {
@@ -132,11 +144,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     }
     let new = flags.names.iter().skip(named).map(String::as_str).filter(|name| !options.is_flag(name));
     let near = doubts::near_misses(new.chain(classes)).into_iter();
-    doubts.extend(near.map(|(who, what)| Doubt {
-        who,
-        what,
-        why: "bodies pass through tiles and objects of this name",
-    }));
+    doubts.extend(near.chain(doubts::shapes(map)).map(|(who, what)| Doubt { who, what, why: FALL }));
     let blocks = |kind: &TileKind| super::names::is_solid(kind.shape);
     if outlines.is_empty() && !cells.kinds.is_empty() && !cells.kinds.iter().any(blocks) {
         let what = "it has no solid tile and no solid object".to_owned();
@@ -153,6 +161,8 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         beyond(&mut ground.left_out);
         references(&mut ground.left_out, map);
     }
+    // Fields of LDtk's entities are for the game, whatever their names.
+    ground.notes.extend(objects::other_kinds(&ground.left_out).filter(|_| !map.values));
     ground.unused = unused::lines(map, &ground.outlines, &ground.left_out);
     ground.doubts = doubts;
     ground.applied = ledger.0;

@@ -21,6 +21,7 @@ mod place;
 mod report;
 mod traits;
 pub(crate) mod union;
+mod unread;
 mod unused;
 mod verdict;
 mod weld;

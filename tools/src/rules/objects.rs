@@ -154,13 +154,12 @@ fn of_tile(shapes: usize, layer: &str) -> String {
 
 /// The kind of an object: from its property `kind`, its names, or its layer. Without a name, from
 /// its form.
-fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, String> {
+pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, String> {
     let whose = format!("object {}", object.id);
     let by_form = if matches!(object.form, Form::Polyline(_)) { Kind::Wall } else { Kind::Solid };
-    if let Some(name) = object.properties.text("kind") {
-        let kind = Kind::from_name(&name);
-        let known = "choose solid, hole, wall or one-way";
-        return kind.map(Some).ok_or_else(|| format!("{whose} has the kind '{name}'; {known}"));
+    let given = object.properties.text("kind");
+    if let Some(kind) = given.as_deref().and_then(Kind::from_name) {
+        return Ok(Some(kind));
     }
     let own: Vec<String> = names(object).map(str::to_owned).collect();
     match options.shape(&own) {
@@ -178,11 +177,27 @@ fn kind(object: &Object, says: Says, options: &Options) -> Result<Option<Kind>, 
     let by_name = || {
         Kind::from_name(&object.name).map(|kind| if matches!(kind, Kind::Wall | Kind::Solid) { by_form } else { kind })
     };
-    Ok(kinds.first().copied().or_else(by_name).or(match says {
+    let kind = kinds.first().copied().or_else(by_name).or(match says {
         Says::Kind(kind) => Some(kind),
         Says::Solid => Some(by_form),
         Says::Nothing => None,
-    }))
+    });
+    // Games use the word for something else, but a solid has one of ours.
+    if let (Some(kind), Some(name)) = (kind, given) {
+        let known = "the kinds are solid, hole, wall and one-way";
+        return Err(format!(
+            "{whose} has the kind '{name}'; {known}, and it is {kind} by its layer or its other names"
+        ));
+    }
+    Ok(kind)
+}
+
+/// A note about values of the property `kind` that are no kinds of solids.
+pub(super) fn other_kinds(objects: &[LeftOut]) -> Option<String> {
+    let mut kinds = objects.iter().filter_map(|object| object.properties.text("kind"));
+    let first = kinds.next()?;
+    let count = words::several(1 + kinds.count(), "object");
+    Some(format!("{count} with the property kind, such as '{first}': no kind of a solid, so it is for the game"))
 }
 
 fn names(object: &Object) -> impl Iterator<Item = &str> {

@@ -2,8 +2,8 @@
 
 use tilesat::TileShape;
 
-use super::names;
 use super::words::plain;
+use super::{doubts, names};
 
 /// The names that make a tile full, and those that make it one-way.
 const FULL: [&str; 6] = ["collision", "solid", "collides", "collidable", "wall", "blocked"];
@@ -22,17 +22,19 @@ pub(super) fn named<'a>(names: impl Iterator<Item = &'a str>) -> Option<(&'a str
     known.min_by_key(|(_, shape)| *shape != TileShape::Full)
 }
 
-/// The shape that the properties `shape` and `npp` name.
+/// The shape that the properties `shape` and `npp` name. Games use the word `shape` for other
+/// things.
 ///
 /// # Errors
 ///
-/// If one of them names no shape, or the two name different ones.
+/// If one is nearly a shape, or the number is none of N++, or the two name different ones.
 pub(super) fn by_property(shape: Option<&str>, npp: Option<&str>) -> Result<Option<TileShape>, String> {
     let shape = shape.map(str::trim).filter(|text| !text.is_empty());
-    let named = shape.map(|text| {
-        names::shape(text).ok_or_else(|| {
+    let named = shape.and_then(|text| match names::shape(text) {
+        None if !is_nearly_a_shape(text) => None,
+        known => Some(known.ok_or_else(|| {
             format!("property shape '{text}' is not a shape; name one such as slope-bottom-left (see --help)")
-        })
+        })),
     });
     let numbered = npp.map(str::trim).map(|text| {
         names::npp(text)
@@ -45,4 +47,12 @@ pub(super) fn by_property(shape: Option<&str>, npp: Option<&str>) -> Result<Opti
         }
         (a, b) => Ok(a.or(b)),
     }
+}
+
+/// A slip of the pen in a name of several words.
+fn is_nearly_a_shape(text: &str) -> bool {
+    let text = text.to_lowercase();
+    let Some((first, _)) = text.split_once('-') else { return false };
+    let near = |name: String| name.split('-').next() == Some(first) || doubts::distance(&text, &name) <= 2;
+    TileShape::ALL.into_iter().any(|shape| near(names::name(shape)))
 }

@@ -121,7 +121,8 @@ fn objects_take_over_from_their_tile() {
     let (source, _) = baked(scratch("drawn", "own.tmx", plain(r#"<object id="1" template="own.tx" x="5" y="9"/>"#)));
     assert!(source.contains(r#"class: "Crate""#), "{source}");
     let gone = scratch("drawn", "gid.tmx", plain(r#"<object id="6" gid="99" x="5" y="9"/>"#));
-    assert!(refused("lint", gone, "").contains("object 6: tile 99 belongs to no tileset"));
+    let (_, report) = baked(gone);
+    assert!(report.contains("warning object 6 of layer 'L': its tile 98 is not in tileset 't'"), "{report}");
 }
 
 #[test]
@@ -162,15 +163,6 @@ fn objects_beyond_the_domain() {
     assert!(!report.contains("nothing says"), "{report}");
     let lint = support::run("lint", far(), "");
     assert!(lint.out.contains("warning left-out at (9000, 10): object 14 'far' of layer 'L': "), "{lint:?}");
-}
-
-#[test]
-fn a_missing_template_is_refused() {
-    let text = plain(r#"<object id="5" template="none.tx" x="3"/>"#);
-    let why = refused("lint", scratch("drawn", "none.tmx", text), "");
-    for part in ["layer 'L'", "object 5", "none.tx", "cannot read"] {
-        assert!(why.contains(part), "{part} is not in {why}");
-    }
 }
 
 /// A click with the rectangle tool is a rectangle without a size.

@@ -16,6 +16,7 @@ mod hostile;
 mod knots;
 mod large;
 mod ldtk;
+mod lenient;
 mod level;
 mod limits;
 mod lint;

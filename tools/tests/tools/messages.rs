@@ -31,7 +31,10 @@ fn messages_in_the_words_of_the_user() {
             "object 7 of layer 'L' at (908200, 0): it is outside of the domain: coordinates stay below 8192",
         ),
         (object("0,0 9,3 0,0"), "object 7 of layer 'L': it has 2 different points: a polygon needs 3"),
-        (map(3, 2, "0,0,0,0,0,99", ""), "layer 'World': column 2, row 1: tile 99 belongs to no tileset"),
+        (
+            map(3, 2, "0,0,0,0,0,99", ""),
+            "layer 'World': 1 of its tiles are in no tileset, the first in column 2, row 1: it would be tile 98 of 't'",
+        ),
     ];
     for (text, why) in cases {
         let ran = run("bake", scratch("messages", "words.tmx", text), "--json");

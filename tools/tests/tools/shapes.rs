@@ -151,7 +151,8 @@ fn properties_win_over_the_class() {
         assert_eq!(of(names, Some(""), None), Ok((own, ice.clone())));
     }
     for (shape, npp, words) in [
-        (Some("slop"), None, ["shape", "'slop'"]),
+        (Some("slope"), Some("34"), ["npp", "'34'"]),
+        (Some("slope-left"), None, ["shape", "'slope-left'"]),
         (None, Some("34"), ["npp", "'34'"]),
         (None, Some(""), ["npp", "''"]),
         (Some("full"), Some("2"), ["'full'", "'2' (half-top)"]),
@@ -255,8 +256,7 @@ fn errors_name_tile_property_and_value() {
         ("less", "name=\"npp\" type=\"int\" value=\"-1\"", "property npp '-1'"),
         ("float", "name=\"npp\" type=\"float\" value=\"1.5\"", "property npp '1.5'"),
         ("word", "name=\"npp\" type=\"int\" value=\"six\"", "property npp 'six'"),
-        ("bool", "name=\"shape\" type=\"bool\" value=\"true\"", "property shape 'true'"),
-        ("quoted", "name='shape' value='a\"b'", "property shape 'a\"b'"),
+        ("quoted", "name='shape' value='half-a\"b'", "property shape 'half-a\"b'"),
     ] {
         let text = error(name, property);
         assert!(text.contains("tile 7 of tileset 'set'") && text.contains(value), "{text}");

@@ -200,6 +200,8 @@ impl Reader<'_> {
             values: true,
             properties: vec![("the level".to_owned(), fields(&level.field_instances, &mut self.ids))],
             notes,
+            warnings: Vec::new(),
+            gaps: Vec::new(),
         })
     }
 

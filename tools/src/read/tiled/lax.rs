@@ -1,12 +1,13 @@
-//! Values of JSON in the forms that other programs write: whole numbers as floats, and null.
+//! Values of JSON in the forms that other programs write: whole numbers as floats, numbers as texts,
+//! and null.
 
 use std::fmt;
 use std::marker::PhantomData;
 
-use serde::de::{Error, Visitor};
+use serde::de::{Error, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
-/// A whole number, also as `16.0`. Null is 0.
+/// A whole number, also as `16.0` and as text. Null is 0.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Whole<T>(pub(super) T);
 
@@ -31,6 +32,10 @@ impl<'de, T: TryFrom<i64> + Default> Deserialize<'de> for Whole<T> {
                 }
                 self.visit_i64(number as i64)
             }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Whole<T>, E> {
+                let number = text.trim().parse::<f64>().map_err(|_| E::invalid_type(Unexpected::Str(text), &self))?;
+                self.visit_f64(number)
+            }
             fn visit_unit<E: Error>(self) -> Result<Whole<T>, E> {
                 Ok(Whole(T::default()))
             }
@@ -52,4 +57,30 @@ pub(super) fn count<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(from: 
 /// Nothing instead of null.
 pub(super) fn given<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(from: D) -> Result<T, D::Error> {
     Option::<T>::deserialize(from).map(Option::unwrap_or_default)
+}
+
+/// Whether something is set: true, the word, or a number other than 0.
+fn is_set<E: Error>(value: &serde_json::Value) -> Result<Option<bool>, E> {
+    match value {
+        serde_json::Value::Null => Ok(None),
+        serde_json::Value::Bool(is) => Ok(Some(*is)),
+        serde_json::Value::Number(number) => Ok(Some(number.as_f64() != Some(0.0))),
+        serde_json::Value::String(text) => Ok(Some(!["", "0", "false"].contains(&text.as_str()))),
+        other => Err(E::custom(format!("{other} is neither true nor false"))),
+    }
+}
+
+/// The same, or nothing for null.
+pub(super) fn perhaps<'de, D: Deserializer<'de>>(from: D) -> Result<Option<bool>, D::Error> {
+    is_set(&serde_json::Value::deserialize(from)?)
+}
+
+/// The same. Null is false.
+pub(super) fn flag<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
+    perhaps(from).map(Option::unwrap_or_default)
+}
+
+/// The same. Null is true.
+pub(super) fn shown<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
+    perhaps(from).map(|is| is.unwrap_or(true))
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use super::{raw, tags};
+use super::{foreign, raw, tags};
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::object::{Form, Object, Stamp};
@@ -27,25 +27,39 @@ impl Templates {
         self.sets.remove(path)
     }
 
-    /// An object of a file in this folder, with the values of its template.
+    /// An object of a file in this folder, with the values of its template. If the template is
+    /// missing: the object alone, and the reason.
     ///
     /// # Errors
     ///
-    /// If the template is missing: as with a tileset, nobody knows what it would have been.
-    pub(super) fn filled(&mut self, object: raw::Object, folder: &Path, files: &mut Files) -> Result<raw::Object> {
+    /// If the template is there, and cannot be read.
+    pub(super) fn filled(
+        &mut self,
+        object: raw::Object,
+        folder: &Path,
+        files: &mut Files,
+    ) -> Result<(raw::Object, Option<String>)> {
         let object = object.settled();
-        let Some(name) = &object.template else { return Ok(object) };
-        let path = folder.join(name);
+        let Some(name) = &object.template else { return Ok((object, None)) };
+        let path = files.named(folder, name);
         if !self.objects.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            let bytes = files.bytes(&path).map_err(of_file)?;
+            let bytes = match files.bytes(&path) {
+                Err(why) if !path.exists() => {
+                    let why = of_file(why);
+                    return Ok((object, Some(why)));
+                }
+                read => read.map_err(of_file)?,
+            };
             let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::template(&bytes) };
-            let template: raw::Template = read.map_err(|why| of_file(format!("not a template of Tiled: {why}")))?;
+            let template: raw::Template = read.map_err(|why| {
+                of_file(foreign::mark(&bytes).unwrap_or_else(|| format!("not a template of Tiled: {why}")))
+            })?;
             let inner = template.object.ok_or_else(|| of_file("it has no object".to_owned()))?;
             self.objects.insert(path.clone(), inner.settled());
             self.sets.extend(template.tileset.map(|set| (path.clone(), set)));
         }
-        Ok(filled(object, &self.objects[&path]))
+        Ok((filled(object, &self.objects[&path]), None))
     }
 }
 
@@ -78,7 +92,7 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
 }
 
 /// All of the first, and of the others those with other names.
-fn with_rest(mut own: Properties, others: &Properties) -> Properties {
+pub(super) fn with_rest(mut own: Properties, others: &Properties) -> Properties {
     for (name, value) in &others.0 {
         if !own.0.iter().any(|(known, _)| known == name) {
             own.0.push((name.clone(), value.clone()));
@@ -93,7 +107,8 @@ pub(super) fn of_tile(object: raw::Object, set: &Tileset, (tileset, id, flip): (
     let along = |own: Option<raw::Number>, side: u32| {
         own.filter(|own| own.0 != Decimal::ZERO).or(Some(raw::Number(Decimal::whole(side.into()))))
     };
-    let mut object = raw::Object { width: along(object.width, width), height: along(object.height, height), ..object };
+    let object = raw::Object { width: along(object.width, width), height: along(object.height, height), ..object };
+    let mut object = mirrored(object, set.align);
     if let Some(tile) = set.tiles.get(&id) {
         object.class = object.class.filter(|class| !class.is_empty()).or(Some(tile.class.clone()));
         object.properties.0 = with_rest(object.properties.0, &tile.properties);
@@ -137,8 +152,61 @@ pub(super) fn alignment(name: &str) -> Result<(u32, u32)> {
     })
 }
 
+/// Whether the size of an object is negative. Programs other than Tiled write such boxes.
+pub(super) fn is_mirrored(object: &raw::Object) -> bool {
+    [object.width, object.height].into_iter().flatten().any(|side| side.0 < Decimal::ZERO)
+}
+
+/// Whether it is a box that is a line.
+pub(super) fn is_flat(object: &raw::Object) -> bool {
+    let sides = [object.width, object.height].map(|side| side.is_none_or(|side| side.0 == Decimal::ZERO));
+    let is_box = !object.point && !object.text && object.polygon.is_none() && object.polyline.is_none();
+    is_box && sides[0] != sides[1]
+}
+
+/// An object whose size is not negative. Its own point is this many halves of its size right of its
+/// left side and below its top.
+fn mirrored(object: raw::Object, align: (u32, u32)) -> raw::Object {
+    let side = |side: Option<raw::Number>, halves: u32| match side {
+        Some(side) if side.0 < Decimal::ZERO => (-side.0).scaled(halves, 1) + side.0,
+        _ => Decimal::ZERO,
+    };
+    let (x, y) = (side(object.width, align.0), side(object.height, align.1));
+    let (sin, cos) = object.rotation.map_or((0.0, 1.0), |by| by.0.to_f64().to_radians().sin_cos());
+    let (x, y) = match object.rotation {
+        Some(by) if by.0 != Decimal::ZERO => {
+            let (x, y) = (x.to_f64(), y.to_f64());
+            (Decimal::from_f64(x * cos - y * sin), Decimal::from_f64(x * sin + y * cos))
+        }
+        _ => (x, y),
+    };
+    let positive =
+        |side: Option<raw::Number>| side.map(|side| if side.0 < Decimal::ZERO { raw::Number(-side.0) } else { side });
+    let (at, size) = ((object.x.0 + x, object.y.0 + y), (positive(object.width), positive(object.height)));
+    raw::Object { x: raw::Number(at.0), y: raw::Number(at.1), width: size.0, height: size.1, ..object }
+}
+
+/// A box around an object a million pixels away: it is outside of every level, whatever its form.
+fn far(object: raw::Object) -> raw::Object {
+    let is_far = |number: &raw::Number| number.is_far();
+    let own = [Some(object.x), Some(object.y), object.width, object.height];
+    let points = object.polygon.iter().chain(&object.polyline).flatten();
+    let points_far = points.clone().any(raw::Point::is_far);
+    if !own.iter().flatten().any(is_far) && !points_far {
+        return object;
+    }
+    let has_points = object.polygon.is_some() || object.polyline.is_some();
+    let side = |side: Option<raw::Number>| if has_points { Some(raw::Number(Decimal::whole(1_000_000))) } else { side };
+    let (width, height) = (side(object.width), side(object.height));
+    raw::Object { polygon: None, polyline: None, rotation: None, width, height, ..object }
+}
+
 /// An object without a template and a tile.
 pub(super) fn shape(object: raw::Object) -> Result<Object> {
+    if let Some(by) = object.rotation.filter(raw::Number::is_far) {
+        return Err(format!("object {}: its rotation is {by}, not a number below a million", object.id));
+    }
+    let object = mirrored(far(object), (0, 0));
     let points = |points: Vec<raw::Point>| points.into_iter().map(Into::into).collect();
     let form = match object {
         raw::Object { polygon: Some(list), .. } => Form::Polygon(points(list)),
@@ -151,9 +219,6 @@ pub(super) fn shape(object: raw::Object) -> Result<Object> {
     };
     let number = |number: Option<raw::Number>| number.map_or(Decimal::ZERO, |number| number.0);
     let size = (number(object.width), number(object.height));
-    if size.0 < Decimal::ZERO || size.1 < Decimal::ZERO {
-        return Err(format!("object {} has a negative size", object.id));
-    }
     Ok(Object {
         id: object.id,
         name: object.name.unwrap_or_default(),

@@ -26,6 +26,7 @@ pub(super) struct Map {
     pub(super) tilewidth: u32,
     #[serde(deserialize_with = "lax::whole")]
     pub(super) tileheight: u32,
+    #[serde(deserialize_with = "lax::flag")]
     pub(super) infinite: bool,
     #[serde(deserialize_with = "lax::given")]
     pub(super) tilesets: Vec<Tileset>,
@@ -73,6 +74,7 @@ pub(super) struct Tileset {
     #[serde(deserialize_with = "lax::given")]
     pub(super) properties: Listed,
     /// Before Tiled 1.2, properties and classes were separate from the tiles.
+    #[serde(deserialize_with = "lax::given")]
     pub(super) tileproperties: BTreeMap<u32, Listed>,
 }
 
@@ -131,11 +133,15 @@ pub(super) struct Layer {
     pub(super) name: String,
     #[serde(deserialize_with = "lax::given")]
     pub(super) class: String,
+    #[serde(deserialize_with = "lax::shown")]
     pub(super) visible: bool,
     pub(super) offsetx: Number,
     pub(super) offsety: Number,
+    #[serde(deserialize_with = "one")]
     pub(super) parallaxx: Number,
+    #[serde(deserialize_with = "one")]
     pub(super) parallaxy: Number,
+    #[serde(deserialize_with = "one")]
     pub(super) opacity: Number,
     /// In cells. Tiled reads them, and has written 0 for years.
     #[serde(deserialize_with = "lax::whole")]
@@ -220,9 +226,13 @@ pub(super) struct Object {
     pub(super) rotation: Option<Number>,
     #[serde(deserialize_with = "lax::count")]
     pub(super) gid: Option<u32>,
+    #[serde(deserialize_with = "lax::perhaps")]
     pub(super) visible: Option<bool>,
+    #[serde(deserialize_with = "lax::flag")]
     pub(super) point: bool,
+    #[serde(deserialize_with = "lax::flag")]
     pub(super) ellipse: bool,
+    #[serde(deserialize_with = "lax::flag")]
     pub(super) capsule: bool,
     pub(super) polygon: Option<Vec<Point>>,
     pub(super) polyline: Option<Vec<Point>>,
@@ -259,6 +269,12 @@ pub(super) struct Point {
     y: Number,
 }
 
+impl Point {
+    pub(super) fn is_far(&self) -> bool {
+        self.x.is_far() || self.y.is_far()
+    }
+}
+
 impl From<Point> for Spot {
     fn from(point: Point) -> Self {
         (point.x.0, point.y.0)
@@ -278,16 +294,48 @@ pub(super) enum Data {
     Text(String),
 }
 
-/// A decimal as it is written.
+impl Data {
+    /// Whether it has nothing at all.
+    pub(super) fn is_empty(&self) -> bool {
+        match self {
+            Self::List(gids) => gids.is_empty(),
+            Self::Text(text) => text.trim().is_empty(),
+        }
+    }
+}
+
+/// A decimal as it is written. From a million on, it is a million.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Number(pub(super) Decimal);
 
+impl Number {
+    pub(super) fn is_far(&self) -> bool {
+        self.0.is_far()
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.0.to_f64())
+    }
+}
+
 impl<'de> Deserialize<'de> for Number {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        let number = serde_json::Number::deserialize(from)?;
-        let far = || D::Error::custom(format!("{number} is not a number below a million"));
-        Decimal::parse(number.to_string().as_bytes()).map(Self).ok_or_else(far)
+        let text = match serde_json::Value::deserialize(from)? {
+            serde_json::Value::Null => return Ok(Self::default()),
+            serde_json::Value::Number(number) => number.to_string(),
+            serde_json::Value::String(text) => text,
+            other => return Err(D::Error::custom(format!("{other} is not a number"))),
+        };
+        let wrong = || D::Error::custom(format!("'{text}' is not a number"));
+        Decimal::saturated(text.as_bytes()).map(Self).ok_or_else(wrong)
     }
+}
+
+/// Null is 1.
+fn one<'de, D: Deserializer<'de>>(from: D) -> Result<Number, D::Error> {
+    Option::<Number>::deserialize(from).map(|number| number.unwrap_or(Number(Decimal::whole(1))))
 }
 
 impl<'de> Deserialize<'de> for Data {
@@ -322,6 +370,7 @@ struct Property {
     name: String,
     #[serde(rename = "type")]
     form: Option<String>,
+    #[serde(default)]
     value: serde_json::Value,
 }
 

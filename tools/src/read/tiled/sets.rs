@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use super::objects::{Templates, alignment, of_tile, shape};
-use super::{raw, tags};
+use super::objects::{Templates, alignment, is_flat, is_mirrored, of_tile, shape, with_rest};
+use super::project::Classes;
+use super::{foreign, raw, tags};
 use crate::model::flip::Flip;
 use crate::model::map::Placed;
 use crate::model::object::{Object, Spot};
@@ -39,11 +40,22 @@ pub(super) struct Sets {
     /// The first number and the tileset of each template that has one.
     of_templates: HashMap<PathBuf, (u32, usize)>,
     tiles: usize,
+    /// The size of a cell.
+    cell: (u32, u32),
+    pub(super) classes: Classes,
+    /// Whether the palette has a tile that its tileset does not have.
+    pub(super) beyond: bool,
+    pub(super) warnings: Vec<Warning>,
 }
 
+/// Whose it is, and what.
+type Warning = (String, String);
+
 impl Sets {
-    pub(super) fn new() -> Self {
-        Self { palette: vec![Placed::Nothing], places: HashMap::from([(0, 0)]), ..Self::default() }
+    /// For a map with cells of this size, and a project with these classes.
+    pub(super) fn new(cell: (u32, u32), classes: Classes) -> Self {
+        let (palette, places) = (vec![Placed::Nothing], HashMap::from([(0, 0)]));
+        Self { palette, places, cell, classes, ..Self::default() }
     }
 
     /// A tileset of a file in this folder, which may refer to a separate file.
@@ -55,21 +67,37 @@ impl Sets {
         let index = self.index(set, folder, files)?;
         match self.first.insert(first, index) {
             None => Ok(()),
-            Some(_) => Err(format!("two tilesets begin at tile {first}: save the map again in Tiled")),
+            Some(other) => {
+                let names = (&self.all[other].name, &self.all[index].name);
+                Err(format!("two tilesets begin at tile {first}: '{}' and '{}'; save the map again in Tiled", names.0, names.1))
+            }
         }
     }
 
     /// The tileset's number. A tileset file is read only once.
     pub(super) fn index(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<usize> {
         let Some(source) = &set.source else { return self.push(set, folder, files) };
-        let path = folder.join(source);
+        let path = files.named(folder, source);
         if let Some(&index) = self.known.get(&path) {
             return Ok(index);
         }
         let of_file = |why: String| format!("tileset {}: {why}", path.display());
-        let bytes = files.bytes(&path).map_err(of_file)?;
+        let bytes = match files.bytes(&path) {
+            Err(why) if !path.exists() => {
+                let name =
+                    Path::new(&source.replace('\\', "/")).file_stem().unwrap_or_default().to_string_lossy().into();
+                let missing = Some(of_file(why));
+                let set = Tileset { name, size: self.cell, columns: 1, align: (0, 2), missing, ..Tileset::default() };
+                self.all.push(Rc::new(set));
+                self.known.insert(path, self.all.len() - 1);
+                return Ok(self.all.len() - 1);
+            }
+            read => read.map_err(of_file)?,
+        };
         let read = if json::is_json(&bytes) { json::parse(&bytes) } else { tags::tileset_file(&bytes) };
-        let read = read.map_err(|why| of_file(format!("not a tileset of Tiled: {why}")))?;
+        let read = read.map_err(|why| {
+            of_file(foreign::mark(&bytes).unwrap_or_else(|| format!("not a tileset of Tiled: {why}")))
+        })?;
         let index = self.push(read, path.parent().unwrap_or(folder), files).map_err(of_file)?;
         self.known.insert(path, index);
         Ok(index)
@@ -83,26 +111,46 @@ impl Sets {
         if self.tiles > MAX_TILES as usize {
             return Err(format!("tilesets that describe more than {MAX_TILES} tiles: remove tiles, or whole tilesets"));
         }
-        let set = tileset(set, folder, &mut self.templates, files)?;
+        let set = self.tileset(set, folder, files)?;
         self.all.push(Rc::new(set));
         Ok(self.all.len() - 1)
     }
 
-    /// An object of a map in this folder, with what its template and its tile give it.
-    pub(super) fn object(&mut self, object: raw::Object, folder: &Path, files: &mut Files) -> Result<Object> {
+    /// An object of a layer of a map in this folder, with what its template, its tile and its class
+    /// give it. Also the reason that it has nothing of its template.
+    pub(super) fn object(
+        &mut self,
+        object: raw::Object,
+        (folder, layer): (&Path, &str),
+        files: &mut Files,
+    ) -> Result<(Object, Option<String>)> {
         let (id, own) = (object.id, object.gid);
-        let template = object.template.as_ref().map(|name| folder.join(name));
-        let object = self.templates.filled(object, folder, files)?;
+        let template = object.template.as_ref().map(|name| files.named(folder, name));
+        let (object, gap) = self.templates.filled(object, folder, files)?;
+        if is_mirrored(&object) {
+            let what = "its size is negative, so its box is on the other side of its point, as in Tiled".to_owned();
+            self.warnings.push((format!("object {id} of layer '{layer}'"), what));
+        }
         let found = match (own.or(object.gid), template) {
             (None, _) => Ok(None),
             // The numbers of a template are those of its own tileset.
             (Some(gid), Some(path)) if own.is_none() => self.tile_of_template(gid, &path, files),
             (Some(gid), _) => self.tile(gid),
         };
-        match found.map_err(|why| format!("object {id}: {why}"))? {
-            Some(found) => of_tile(object, &self.all[found.0], found),
+        let mut object = match found.map_err(|why| format!("object {id}: {why}"))? {
+            Some(found) => {
+                let set = &self.all[found.0];
+                if !set.has(found.1) {
+                    let what =
+                        format!("its tile {} is not in tileset '{}': only its own values count", found.1, set.name);
+                    self.warnings.push((format!("object {id} of layer '{layer}'"), what));
+                }
+                of_tile(object, set, found)
+            }
             None => shape(object),
-        }
+        }?;
+        object.properties = with_rest(object.properties, self.classes.of(&object.class, "object"));
+        Ok((object, gap))
     }
 
     fn tile_of_template(&mut self, gid: u32, path: &Path, files: &mut Files) -> Result<Option<(usize, u32, Flip)>> {
@@ -120,6 +168,7 @@ impl Sets {
             return Ok(place);
         }
         let tile = self.tile(gid)?;
+        self.beyond |= tile.is_some_and(|(tileset, id, _)| !self.all[tileset].has(id));
         let place = self.palette.len() as u32;
         self.palette.push(tile.map_or(Placed::Nothing, |(tileset, id, flip)| Placed::Tile {
             tileset,
@@ -148,74 +197,108 @@ impl Sets {
         let Some((first, index)) = known.filter(|(first, _)| *first <= gid) else {
             return Err(format!("tile {gid} belongs to no tileset: erase it, or add its tileset to the map"));
         };
-        let (set, id) = (&self.all[index], gid - first);
-        if set.has(id) {
-            Ok(Some((index, id, flip)))
-        } else {
-            let count = set.count.unwrap_or(0);
-            let name = &set.name;
-            Err(format!(
-                "tile {gid} belongs to no tileset: it would be tile {id} of '{name}', which has {count} tiles; erase it, or add tiles"
-            ))
-        }
+        // Tiled keeps tiles that a tileset no longer has.
+        Ok(Some((index, gid - first, flip)))
     }
-}
 
-fn tileset(set: raw::Tileset, folder: &Path, templates: &mut Templates, files: &mut Files) -> Result<Tileset> {
-    let name = set.name.clone();
-    let of_set = |why: String| format!("tileset '{name}': {why}");
-    if set.tilecount.is_some_and(|count| count > MAX_TILES) {
-        return Err(of_set(format!("more than {MAX_TILES} tiles")));
+    fn tileset(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<Tileset> {
+        let name = set.name.clone();
+        let of_set = |why: String| format!("tileset '{name}': {why}");
+        if set.tilecount.is_some_and(|count| count > MAX_TILES) {
+            return Err(of_set(format!("more than {MAX_TILES} tiles")));
+        }
+        let fits = |width: u32, height: u32| match width.max(height) {
+            0..=Tileset::MAX_SIDE => Ok(()),
+            _ => Err(of_set(format!("tiles of {width}x{height} pixels; a side has at most {}", Tileset::MAX_SIDE))),
+        };
+        fits(set.tilewidth, set.tileheight)?;
+        let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));
+        let along = |length: u32, tile: u32| {
+            let step = u64::from(tile) + u64::from(set.spacing);
+            // As Tiled counts: the margin is only before the first tile.
+            let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(u64::from(set.margin));
+            room.checked_div(step).unwrap_or(0) as u32
+        };
+        let columns = if set.columns > 0 { set.columns } else { along(set.imagewidth, set.tilewidth) };
+        // Old files do not have the number of tiles.
+        let counted = u64::from(columns) * u64::from(along(set.imageheight, set.tileheight));
+        let count = set.tilecount.or(u32::try_from(counted).ok().filter(|&count| count > 0));
+        let mut tiles = HashMap::new();
+        for tile in set.tiles.0 {
+            let part = tile.part();
+            fits(part.size.0, part.size.1)?;
+            let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
+            let shapes = shapes
+                .into_iter()
+                .map(|drawn| self.shape(drawn, (tile.id, &name), folder, files).map_err(&of_set))
+                .collect::<Result<_>>()?;
+            let image = path(tile.image).map(|image| (image, part));
+            let class = if tile.kind.is_empty() { tile.class } else { tile.kind };
+            let properties = with_rest(tile.properties.0, self.classes.of(&class, "tile"));
+            tiles.insert(tile.id, Tile { class, properties, shapes, image });
+        }
+        for (id, properties) in set.tileproperties {
+            tiles.entry(id).or_default().properties.0.extend(properties.0.0);
+        }
+        let mut fits_grid = set.tilerendersize == "grid";
+        if fits_grid && self.cell.0 != self.cell.1 {
+            if (set.tilewidth, set.tileheight) != self.cell || tiles.values().any(|tile| tile.image.is_some()) {
+                return Err(of_set(
+                    "its tiles are drawn as large as a cell, and cells are not square: in Tiled, under Tileset > \
+                     Tileset Properties, set Tile Render Size to Tile Size"
+                        .to_owned(),
+                ));
+            }
+            fits_grid = false;
+        }
+        Ok(Tileset {
+            name: set.name,
+            size: (set.tilewidth, set.tileheight),
+            columns: columns.max(1),
+            count,
+            margin: set.margin,
+            spacing: set.spacing,
+            offset: (set.tileoffset.x, set.tileoffset.y),
+            align: alignment(&set.objectalignment).map_err(&of_set)?,
+            fits_grid,
+            keeps_aspect: match set.fillmode.as_str() {
+                "" | "stretch" => false,
+                "preserve-aspect-fit" => true,
+                other => return Err(of_set(format!("fillmode '{other}' is unknown"))),
+            },
+            image: path(set.image),
+            properties: set.properties.0,
+            tiles,
+            missing: None,
+        })
     }
-    let fits = |width: u32, height: u32| match width.max(height) {
-        0..=Tileset::MAX_SIDE => Ok(()),
-        _ => Err(of_set(format!("tiles of {width}x{height} pixels; a side has at most {}", Tileset::MAX_SIDE))),
-    };
-    fits(set.tilewidth, set.tileheight)?;
-    let path = |image: Option<String>| image.filter(|image| !image.is_empty()).map(|image| folder.join(image));
-    let along = |length: u32, tile: u32| {
-        let step = u64::from(tile) + u64::from(set.spacing);
-        // As Tiled counts: the margin is only before the first tile.
-        let room = (u64::from(length) + u64::from(set.spacing)).saturating_sub(u64::from(set.margin));
-        room.checked_div(step).unwrap_or(0) as u32
-    };
-    let columns = if set.columns > 0 { set.columns } else { along(set.imagewidth, set.tilewidth) };
-    // Old files do not have the number of tiles.
-    let counted = u64::from(columns) * u64::from(along(set.imageheight, set.tileheight));
-    let count = set.tilecount.or(u32::try_from(counted).ok().filter(|&count| count > 0));
-    let mut tiles = HashMap::new();
-    for tile in set.tiles.0 {
-        let part = tile.part();
-        fits(part.size.0, part.size.1)?;
-        let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
-        let shapes = shapes
-            .into_iter()
-            .map(|drawn| templates.filled(drawn, folder, files).and_then(shape).map_err(&of_set))
-            .collect::<Result<_>>()?;
-        let image = path(tile.image).map(|image| (image, part));
-        let class = if tile.kind.is_empty() { tile.class } else { tile.kind };
-        tiles.insert(tile.id, Tile { class, properties: tile.properties.0, shapes, image });
+
+    /// A shape of the collision editor, of this tile of a tileset.
+    fn shape(
+        &mut self,
+        drawn: raw::Object,
+        (tile, set): (u32, &str),
+        folder: &Path,
+        files: &mut Files,
+    ) -> Result<Object> {
+        let (drawn, gap) = self.templates.filled(drawn, folder, files)?;
+        if let Some(why) = gap {
+            return Err(format!("tile {tile}: {why}"));
+        }
+        let corners = drawn.polygon.as_ref().map_or(3, Vec::len);
+        let flat = corners < 3 || is_flat(&drawn) && drawn.class.as_ref().is_none_or(String::is_empty);
+        if flat || is_mirrored(&drawn) {
+            let what = match corners {
+                0..3 => {
+                    format!("the collision polygon of tile {tile} has {corners} corners: it needs 3, and is not solid")
+                }
+                _ if flat => format!("a collision shape of tile {tile} has no width or no height: it is not solid"),
+                _ => format!(
+                    "the size of a collision shape of tile {tile} is negative: its box is on the other side of its point"
+                ),
+            };
+            self.warnings.push((format!("tileset '{set}'"), what));
+        }
+        shape(drawn)
     }
-    for (id, properties) in set.tileproperties {
-        tiles.entry(id).or_default().properties.0.extend(properties.0.0);
-    }
-    Ok(Tileset {
-        name: set.name,
-        size: (set.tilewidth, set.tileheight),
-        columns: columns.max(1),
-        count,
-        margin: set.margin,
-        spacing: set.spacing,
-        offset: (set.tileoffset.x, set.tileoffset.y),
-        align: alignment(&set.objectalignment).map_err(&of_set)?,
-        fits_grid: set.tilerendersize == "grid",
-        keeps_aspect: match set.fillmode.as_str() {
-            "" | "stretch" => false,
-            "preserve-aspect-fit" => true,
-            other => return Err(of_set(format!("fillmode '{other}' is unknown"))),
-        },
-        image: path(set.image),
-        properties: set.properties.0,
-        tiles,
-    })
 }

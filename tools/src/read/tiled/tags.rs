@@ -81,11 +81,16 @@ fn count<T: std::str::FromStr>(xml: &Xml<'_>, tag: &Tag<'_>, name: &str) -> Resu
 }
 
 fn decimal(xml: &Xml<'_>, tag: &Tag<'_>, name: &str) -> Result<Option<Number>> {
-    let read = |text: &str| match Decimal::parse(text.as_bytes()) {
+    let read = |text: &str| match Decimal::saturated(text.as_bytes()) {
         Some(value) => Ok(Number(value)),
-        None => Err(xml.here(&format!("{}: {name} is '{text}', not a number below a million", whose(tag)))),
+        None => Err(xml.here(&format!("{}: {name} is '{text}', not a number{}", whose(tag), comma(text)))),
     };
     tag.get(name).map(read).transpose()
+}
+
+/// What is wrong with a number of another language.
+fn comma(text: &str) -> &'static str {
+    if text.contains(',') { ": write a point, not a comma" } else { "" }
 }
 
 fn whose(tag: &Tag<'_>) -> String {
@@ -298,8 +303,8 @@ fn object(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Object> {
 fn points(xml: &Xml<'_>, tag: &Tag<'_>, id: u32) -> Result<Vec<Point>> {
     let list = tag.get("points").ok_or_else(|| xml.here(&format!("object {id} has no points")))?;
     let coordinate = |what: &str, text: &str| {
-        let bad = || xml.here(&format!("object {id}: a point's {what} is '{text}', not a number below a million"));
-        Decimal::parse(text.as_bytes()).ok_or_else(bad)
+        let bad = || xml.here(&format!("object {id}: a point's {what} is '{text}', not a number{}", comma(text)));
+        Decimal::saturated(text.as_bytes()).ok_or_else(bad)
     };
     let pair = |pair: &str| -> Result<Point> {
         let (x, y) = pair.split_once(',').unwrap_or((pair, ""));

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::data::MAX_CELLS;
-use super::lax;
+use super::{foreign, lax};
 use crate::model::map::{Map, Place, Tiles};
 use crate::read::file::Files;
 use crate::read::json;
@@ -44,7 +44,8 @@ struct Listed {
 
 /// All maps of a world, or the one of this name.
 pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut Files) -> Result<Vec<Map>> {
-    let world: World = json::parse(bytes).map_err(|why| format!("not a world of Tiled: {why}"))?;
+    let world: World = json::parse(bytes)
+        .map_err(|why| foreign::mark(bytes).unwrap_or_else(|| format!("not a world of Tiled: {why}")))?;
     if !world.patterns.is_empty() {
         return Err("a world of Tiled with patterns: the tools do not search for maps by their names; list each one \
                     in its \"maps\" with fileName, x and y, as Tiled's World Tool does, and remove \"patterns\""
@@ -66,7 +67,7 @@ pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, file
         if level.is_some_and(|wanted| wanted != name) {
             continue;
         }
-        let file = folder.join(&listed.file_name);
+        let file = files.named(folder, &listed.file_name);
         let of_map = |why: String| format!("map '{name}': {}: {why}", file.display());
         let bytes = files.bytes(&file).map_err(of_map)?;
         let (mut map, infinite) = super::map(bytes, &file, files).map_err(of_map)?;

@@ -1,0 +1,59 @@
+//! Files that are no maps, and what their user has to give instead.
+
+use super::super::json;
+
+/// What a file is, if it is no map, and what to do.
+pub(in crate::read) fn map(bytes: &[u8]) -> Option<String> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let begins = |start: &str| text.starts_with(start.as_bytes());
+    let element = |name: &str| has(&text[..text.len().min(MOST)], &format!("<{name}"));
+    let is = |what: &str, do_this: &str| Some(format!("{what}: {do_this}"));
+    if let Some(why) = mark(bytes) {
+        return Some(why);
+    }
+    if json::is_json(bytes) {
+        let keys = json::keys(bytes);
+        let key = |name: &str| keys.contains(&name.as_bytes());
+        return if key("propertyTypes") || key("automappingRulesFile") {
+            is("a project of Tiled", "give a map or a .world")
+        } else if key("object") && !key("layers") {
+            is("a template of Tiled", "give a map that uses it")
+        } else if key("tilecount") || key("tilewidth") && key("image") {
+            is("a tileset of Tiled", "give a map that uses it")
+        } else if key("neighbourLevels") || key("uniqueIdentifer") {
+            is("a simplified export of LDtk", "give the .ldtk")
+        } else {
+            None
+        };
+    }
+    if begins("return {")
+        || begins("return{")
+        || begins("(function")
+        || has(text, "onTileMapLoaded")
+        || has(text, "TileMaps[")
+    {
+        is("an export of Tiled for programs", "give the map itself, which ends in .tmx or .tmj")
+    } else if begins("//") || begins("/*") {
+        is("it begins with a comment, which neither XML nor JSON has", "remove it")
+    } else if element("tileset") && !element("map") {
+        is("a tileset of Tiled", "give a map that uses it")
+    } else if element("template") && !element("map") {
+        is("a template of Tiled", "give a map that uses it")
+    } else {
+        None
+    }
+}
+
+/// The first element of a file begins before this byte.
+const MOST: usize = 1000;
+
+/// The line of a mark that git has left in a file.
+pub(in crate::read) fn mark(bytes: &[u8]) -> Option<String> {
+    let marks: [&[u8]; 2] = [b"<<<<<<< ", b">>>>>>> "];
+    let line = bytes.split(|&byte| byte == b'\n').position(|line| marks.iter().any(|mark| line.starts_with(mark)))?;
+    Some(format!("line {}: a mark of an unsolved git merge", line + 1))
+}
+
+fn has(text: &[u8], part: &str) -> bool {
+    text.windows(part.len()).any(|window| window == part.as_bytes())
+}

@@ -1,0 +1,99 @@
+//! The classes of a project of Tiled. Since 1.9 Tiled does not write a property that has the value
+//! that its class gives it.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use super::lax;
+use crate::model::property::{Properties, Value};
+use crate::read::file::Files;
+use crate::read::json;
+
+/// The file is in the map's folder or at most this many folders above.
+const HIGHEST: usize = 6;
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Project {
+    #[serde(rename = "propertyTypes", deserialize_with = "lax::given")]
+    types: Vec<Type>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Type {
+    #[serde(deserialize_with = "lax::given")]
+    name: String,
+    #[serde(rename = "type", deserialize_with = "lax::given")]
+    form: String,
+    #[serde(deserialize_with = "lax::given")]
+    members: Vec<Member>,
+    /// For tiles, objects, layers and so on. Older versions: for all.
+    #[serde(rename = "useAs")]
+    used: Option<Vec<String>>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Member {
+    #[serde(deserialize_with = "lax::given")]
+    name: String,
+    #[serde(rename = "type", deserialize_with = "lax::given")]
+    form: String,
+    value: serde_json::Value,
+}
+
+/// The properties of each class, and what it is for.
+#[derive(Debug, Default)]
+pub(super) struct Classes {
+    all: HashMap<String, (Option<Vec<String>>, Properties)>,
+    none: Properties,
+}
+
+impl Classes {
+    /// The properties that a class gives a tile, an object or a layer.
+    pub(super) fn of(&self, class: &str, what: &str) -> &Properties {
+        let known = self
+            .all
+            .get(class)
+            .filter(|(used, _)| used.as_ref().is_none_or(|used| used.iter().any(|known| known == what)));
+        known.map_or(&self.none, |(_, properties)| properties)
+    }
+
+    /// The classes of the nearest project around a map's folder.
+    pub(super) fn around(folder: &Path, files: &mut Files) -> Self {
+        let Some(path) = nearest(folder) else { return Self::default() };
+        let read = files.bytes(&path).and_then(|bytes| json::parse::<Project>(&bytes));
+        let project = match read {
+            Ok(project) => project,
+            Err(why) => {
+                files.notes.push(format!("the project {} is not read: {why}", path.display()));
+                return Self::default();
+            }
+        };
+        let classes = project.types.into_iter().filter(|known| known.form == "class");
+        let entry = |known: Type| {
+            let members = known.members.into_iter();
+            let members = members.filter(|member| !["class", "object", "list"].contains(&member.form.as_str()));
+            let values = members.map(|member| (member.name, Value::from(&member.value)));
+            (known.name, (known.used, Properties(values.collect())))
+        };
+        Self { all: classes.map(entry).collect(), none: Properties::default() }
+    }
+}
+
+/// The only project in the nearest folder that has one.
+fn nearest(folder: &Path) -> Option<PathBuf> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let folder = fs::canonicalize(folder).ok()?;
+    let projects = |folder: &Path| -> Vec<PathBuf> {
+        let entries = fs::read_dir(folder).into_iter().flatten();
+        let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
+        paths.filter(|path| path.extension().is_some_and(|end| end == "tiled-project")).collect()
+    };
+    let mut found = folder.ancestors().take(HIGHEST).map(projects).find(|found| !found.is_empty())?;
+    found.pop().filter(|_| found.is_empty())
+}
