@@ -114,7 +114,7 @@ fn within(points: &[Point]) -> Option<Point> {
     let mut columns: Vec<i64> = crossed.map(column).collect();
     columns.sort_unstable();
     let (left, right) = columns.chunks_exact(2).map(|pair| (pair[0], pair[1])).max_by_key(|(l, r)| r - l)?;
-    (right - left > 1).then_some(((left + right) / 2, row))
+    (right - left > 1).then_some((i64::midpoint(left, right), row))
 }
 
 #[cfg(test)]

@@ -174,7 +174,11 @@ fn cells_that_are_not_square() {
     let level = bake("high.tmx", text("tilewidth=\"16\" tileheight=\"24\""));
     let expected = [("cell", 8), ("width", 6), ("height", 6), ("solid", 12)];
     assert!(expected.iter().all(|(name, count)| level[*name] == *count), "{level}");
-    assert!(says(&level, "notes", "cells of 16x24 pixels become cells of 8 pixels: each of them is 2x3 of these"));
+    assert!(says(
+        &level,
+        "notes",
+        "cells of 16x24 pixels become cells of 8x8: each of them is 2x3 of these, and takes a byte for each"
+    ));
     // The one-way edge of a tile is as wide as the tile.
     assert_eq!(level["segments"], 1);
     assert_eq!(bake("wide.tmx", text("tilewidth=\"32\" tileheight=\"16\""))["solid"], 4);

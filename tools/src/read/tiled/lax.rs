@@ -1,5 +1,5 @@
-//! Values of JSON in the forms that other programs write: whole numbers as floats, numbers as texts,
-//! and null.
+//! Values of JSON in the forms that other programs write: whole numbers as floats, numbers as
+//! texts, and null.
 
 use std::fmt;
 use std::marker::PhantomData;

@@ -5,6 +5,7 @@ mod cells;
 mod data;
 mod foreign;
 mod lax;
+mod number;
 mod objects;
 mod project;
 mod raw;
@@ -73,7 +74,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     let mut notes = std::mem::take(&mut reader.files.notes);
     if grid != (1, 1) {
         notes.push(format!(
-            "cells of {}x{} pixels become cells of {tile} pixels: each of them is {}x{} of these",
+            "cells of {}x{} pixels become cells of {tile}x{tile}: each of them is {}x{} of these, and takes a byte for each",
             map.tilewidth, map.tileheight, grid.0, grid.1
         ));
     }
@@ -147,7 +148,7 @@ impl Reader<'_> {
     fn layer(&mut self, layer: raw::Layer, around: &Around) -> Result<()> {
         let name = layer.name.clone();
         let of_layer = |why: String| format!("layer '{name}': {why}");
-        if let Some(far) = [layer.offsetx, layer.offsety].into_iter().find(|offset| offset.is_far()) {
+        if let Some(far) = [layer.offsetx, layer.offsety].into_iter().find(raw::Number::is_far) {
             return Err(of_layer(format!("its offset is {far}, not a number below a million")));
         }
         let offset = (around.offset.0 + layer.offsetx.0, around.offset.1 + layer.offsety.0);

@@ -55,7 +55,7 @@ impl Sets {
     /// For a map with cells of this size, and a project with these classes.
     pub(super) fn new(cell: (u32, u32), classes: Classes) -> Self {
         let (palette, places) = (vec![Placed::Nothing], HashMap::from([(0, 0)]));
-        Self { palette, places, cell, classes, ..Self::default() }
+        Self { places, palette, cell, classes, ..Self::default() }
     }
 
     /// A tileset of a file in this folder, which may refer to a separate file.
@@ -159,7 +159,7 @@ impl Sets {
             let index = self.index(set, path.parent().unwrap_or(Path::new("")), files)?;
             self.of_templates.insert(path.to_owned(), (first, index));
         }
-        self.of_templates.get(path).map_or(Ok(None), |&known| self.tile_of(gid, Some(known)))
+        self.of_templates.get(path).map_or(Ok(None), |&known| Self::tile_of(gid, Some(known)))
     }
 
     /// The palette index for a number in a layer.
@@ -183,11 +183,11 @@ impl Sets {
     /// The tileset, its tile and the flips. `None` for no tile.
     fn tile(&self, gid: u32) -> Result<Option<(usize, u32, Flip)>> {
         let known = self.first.range(..=gid & !FLIPS).next_back();
-        self.tile_of(gid, known.map(|(&first, &index)| (first, index)))
+        Self::tile_of(gid, known.map(|(&first, &index)| (first, index)))
     }
 
     /// The same in a tileset with this first number.
-    fn tile_of(&self, gid: u32, known: Option<(u32, usize)>) -> Result<Option<(usize, u32, Flip)>> {
+    fn tile_of(gid: u32, known: Option<(u32, usize)>) -> Result<Option<(usize, u32, Flip)>> {
         let flip =
             Flip { diagonal: gid & DIAGONAL != 0, horizontal: gid & HORIZONTAL != 0, vertical: gid & VERTICAL != 0 };
         let gid = gid & !FLIPS;
