@@ -59,12 +59,22 @@ impl Tileset {
 
     /// Whether the tileset has this tile.
     pub fn has(&self, id: u32) -> bool {
-        self.count.is_none_or(|count| id < count) || self.tiles.contains_key(&id)
+        self.tiles.contains_key(&id) || !self.is_collection() && self.count.is_none_or(|count| id < count)
     }
 
-    /// The size of a tile in pixels.
+    /// Whether each tile has its own picture. Then ids can have gaps.
+    fn is_collection(&self) -> bool {
+        self.image.is_none() && self.tiles.values().any(|tile| tile.image.is_some())
+    }
+
+    /// The size of a tile in pixels. 0 if nobody knows it: Tiled draws such a tile as large as a
+    /// cell.
     pub fn size_of(&self, id: u32) -> (u32, u32) {
         let own = self.tiles.get(&id).and_then(|tile| tile.image.as_ref());
-        own.map_or(self.size, |(_, part)| part.size)
+        match own {
+            Some((_, part)) => part.size,
+            None if !self.has(id) && self.is_collection() => (0, 0),
+            None => self.size,
+        }
     }
 }

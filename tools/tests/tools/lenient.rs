@@ -69,9 +69,19 @@ fn tiles_that_their_tileset_does_not_have() {
     assert!(says(
         &level,
         "warnings",
-        "layer 'World': 1 of its tiles are in no tileset, the first in column 2, row 1: it would be tile 98 of 't', which has 4"
+        "layer 'World': 1 of its tiles are in no tileset, the first in column 2, row 1: 't' has no tile 98"
     ));
     assert!(says(&level, "warnings", "object 7 of layer 'L': its tile 49 is not in tileset 't'"));
+    // Of a collection of images, a tile in the middle was deleted. It is as large as a cell.
+    let image =
+        |id: u32| format!(r#"<tile id="{id}" type="Coin"><image source="a.png" width="64" height="64"/></tile>"#);
+    let tiles = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
+    let text = map(3, 2, "0,0,0,0,2,0", "").replace(tiles, &(image(0) + &image(2) + &image(3)));
+    let level = bake("deleted.tmx", text.replace("name=\"World\"", "name=\"collision\""));
+    assert!(
+        level["solid"] == 1 && says(&level, "warnings", "the first in column 1, row 1: 't' has no tile 1"),
+        "{level}"
+    );
     let full = map(3, 2, "0,0,0,1,0,99", "").replace("name=\"World\"", "name=\"collision\"");
     assert_eq!(bake("full.tmx", full)["solid"], 2);
 }

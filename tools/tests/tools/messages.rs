@@ -33,7 +33,7 @@ fn messages_in_the_words_of_the_user() {
         (object("0,0 9,3 0,0"), "object 7 of layer 'L': it has 2 different points: a polygon needs 3"),
         (
             map(3, 2, "0,0,0,0,0,99", ""),
-            "layer 'World': 1 of its tiles are in no tileset, the first in column 2, row 1: it would be tile 98 of 't'",
+            "layer 'World': 1 of its tiles are in no tileset, the first in column 2, row 1: 't' has no tile 98",
         ),
     ];
     for (text, why) in cases {

@@ -85,12 +85,10 @@ impl Reader<'_> {
         };
         let mut all = tiles.drawn().filter_map(|(x, y, cell)| Some((x, y, is_beyond(cell)?)));
         if let Some((x, y, (tileset, id))) = all.next() {
-            let (count, set) = (1 + all.count(), &self.sets.all[tileset]);
+            let (count, set) = (1 + all.count(), &self.sets.all[tileset].name);
             let what = format!(
-                "{count} of its tiles are in no tileset, the first in column {x}, row {y}: it would be tile {id} of \
-                 '{}', which has {}; they have neither a class nor properties",
-                set.name,
-                set.count.unwrap_or(0)
+                "{count} of its tiles are in no tileset, the first in column {x}, row {y}: '{set}' has no tile {id}; \
+                 they have neither a class nor properties"
             );
             self.warn(name, what);
         }
