@@ -233,6 +233,14 @@ fn classes_of_a_project() {
     fs::write(home.join("g.tiled-project"), project(&["tile", "object"])).unwrap();
     let ran = level(&run("bake", &path, "--json"));
     assert_eq!((&ran["solid"], &ran["objects"][0]["properties"]["speed"]), (&json!(3), &json!([2.5])), "{ran}");
+    fs::write(home.join("maps/a.tiled-project"), "{").unwrap();
+    let ran = run("bake", &path, "--json --solid Brick");
+    assert!(says(&level(&ran), "notes", "a.tiled-project is not read: EOF"));
+    fs::write(home.join("maps/b.tiled-project"), "{}").unwrap();
+    let ran = run("bake", &path, "--json --solid Brick");
+    assert!(says(&level(&ran), "notes", "several projects"));
+    fs::remove_file(home.join("maps/a.tiled-project")).unwrap();
+    fs::remove_file(home.join("maps/b.tiled-project")).unwrap();
     // The class is for something else.
     fs::write(home.join("g.tiled-project"), project(&["layer"])).unwrap();
     let ran = run("bake", &path, "--json");

@@ -65,8 +65,19 @@ impl Classes {
 
     /// The classes of the nearest project around a map's folder.
     pub(super) fn around(folder: &Path, files: &mut Files) -> Self {
-        let Some(path) = nearest(folder) else { return Self::default() };
-        let read = files.bytes(&path).and_then(|bytes| json::parse::<Project>(&bytes));
+        let projects = nearest(folder);
+        let [path] = &projects[..] else {
+            if let Some(path) = projects.first() {
+                let what = "several projects, so nobody knows what classes give their tiles and objects";
+                files.notes.push(format!("{}: {what}", path.with_file_name("").display()));
+            }
+            return Self::default();
+        };
+        // Each map of a world reads it, but it counts once.
+        let read = Files::default().bytes(path).and_then(|bytes| json::parse::<Project>(&bytes));
+        if !files.read.contains(path) {
+            files.read.push(path.clone());
+        }
         let project = match read {
             Ok(project) => project,
             Err(why) => {
@@ -85,15 +96,15 @@ impl Classes {
     }
 }
 
-/// The only project in the nearest folder that has one.
-fn nearest(folder: &Path) -> Option<PathBuf> {
+/// The projects in the nearest folder that has some.
+fn nearest(folder: &Path) -> Vec<PathBuf> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let folder = fs::canonicalize(folder).ok()?;
     let projects = |folder: &Path| -> Vec<PathBuf> {
         let entries = fs::read_dir(folder).into_iter().flatten();
         let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
         paths.filter(|path| path.extension().is_some_and(|end| end == "tiled-project")).collect()
     };
-    let mut found = folder.ancestors().take(HIGHEST).map(projects).find(|found| !found.is_empty())?;
-    found.pop().filter(|_| found.is_empty())
+    let Ok(folder) = fs::canonicalize(folder) else { return Vec::new() };
+    let mut around = folder.ancestors().take(HIGHEST).map(projects);
+    around.find(|found| !found.is_empty()).unwrap_or_default()
 }
