@@ -71,7 +71,7 @@ mod walk {
             steps.push(sorted(cells.map(|(x, y)| Cell::of(x, y)).collect()));
             let over = grid.next_lines(&walk.x, &walk.y, beyond);
             if over == 0 {
-                assert!(walk.cells <= u32::from(grid.x.count) + u32::from(grid.y.count) + 4);
+                assert!(walk.cells <= grid.x.count + grid.y.count + 4);
                 steps.retain(|s| !s.is_empty());
                 return steps;
             }

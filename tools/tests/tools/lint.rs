@@ -158,7 +158,7 @@ fn bad_maps() {
         (
             "kind",
             change("<polygon", "<properties><property name=\"kind\" value=\"sold\"/></properties><polygon"),
-            "object 7 has the kind 'sold'; choose solid, hole, wall or one-way",
+            "object 7 has the kind 'sold'; the kinds are solid, hole, wall and one-way",
         ),
         (
             "kinds",
