@@ -82,8 +82,8 @@
 //! - **Piles stand**: a body that lies on the level, or on bodies that do, is not pushed down by
 //!   those on top of it. The momentum goes into the ground. Support reaches a whole pile within a
 //!   step. Velocities are relative to the carrier: a pile on a lift that moves evenly behaves as at
-//!   rest, bit for bit. Boxes of a column keep their order and do not sink into each other. Balls
-//!   that lie askew do: see the limits [below](self#limits).
+//!   rest, bit for bit. Boxes of a column keep their order and do not sink into each other. Round
+//!   bodies do: see the [limits](self#limits).
 //! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
 //!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
 //!   also wakes if you name a region that [changed](Scene::wake_region), and if a solid that
@@ -117,7 +117,7 @@
 //! - After three bodies or eight events in a step, a body waits for the next step, and no body
 //!   passes it.
 //! - Two bodies that are *not* fast may still pass each other if they clip each other or are
-//!   squeezed. Flag large, slow bodies among small ones.
+//!   squeezed. Flag the one that moves against the other.
 //! - The game moves a fixed body between steps, so it does not meet bodies that it jumps over.
 //!
 //! A fast body with no body in reach is moved like all others; that costs one region query.
@@ -144,6 +144,22 @@
 //! assert_eq!(scene.body(bullet)?.shape.position(), Vec2::from_ints(48, 0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Limits
+//!
+//! - **Balls sink into what holds them aside.** A ball that rests between two others, or over a
+//!   gap, overlaps them. At a gravity of 0.25, one of radius 8 on two that touch is 0.1 units deep.
+//!   In a narrow bin it may sink past another one to the floor. It falls through a gap of 12 units
+//!   between two fixed bodies. Flag the upper one as `fast`: on these two it stays where it meets
+//!   them.
+//! - **Heaps of balls keep moving** without friction, on a flat floor too: most of those of 16 and
+//!   more. With a friction of 40 % few do.
+//! - **A fast ball that rests on a slow one** stays awake, and keeps a velocity, at one position.
+//! - **A fast body on a fixed one** that the game [places](Scene::place) may be behind by what
+//!   gravity adds in a step.
+//! - **A body bounces for ever** if its restitution is above one half and its
+//!   [`Surface::resting_below`](crate::Surface::resting_below) is less than the gravity, divided by
+//!   one minus the restitution.
 //!
 //! # Cost
 //!

@@ -18,9 +18,10 @@ use crate::num::{Fx, MOTION, check_motion};
 /// rest. In its last step of rest something must hold it from below: a ball that rolls off a corner
 /// stays awake. A body that wakes because another one touches it keeps its steps of rest.
 ///
-/// Without friction, heaps of round bodies in a funnel may stay awake for ever. 9 of 38 pairs of
-/// capsules did, and so did most heaps of six and more. Friction mostly ends that. Between slopes
-/// that are steeper than 45 degrees, it often does not.
+/// Without friction, heaps of round bodies may stay awake for ever: see the
+/// [limits](crate::scene#limits). In a funnel 9 of 38 pairs of capsules did, and so did most heaps
+/// of six and more. Friction mostly ends that. Between slopes that are steeper than 45 degrees, it
+/// often does not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sleep {

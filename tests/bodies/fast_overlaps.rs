@@ -1,4 +1,4 @@
-//! What a fast body overlaps pushes it out, also from below.
+//! What a fast body overlaps pushes it out, also from below. Slow balls sink into others.
 
 use super::steps::{Swept, step_with};
 use tilesat::broad::SortSweep;
@@ -70,6 +70,46 @@ fn a_fast_body_rides_on_a_fixed_one() {
             scene.place(lift, way).unwrap();
             let feet = scene.body(rider).unwrap().shape.aabb().max().y;
             assert!((way.min().y..=way.min().y + behind).contains(&feet), "{told}: {feet} {}", way.min().y);
+        }
+    }
+}
+
+/// The limits that the page of scenes states, for a ball on two others and over a gap between
+/// fixed bodies. A fast ball keeps out of all.
+#[test]
+fn slow_balls_sink_as_documented() {
+    let floor = SceneBody::fixed(rect(fx!(20), fx!(112), 120, 8), 90);
+    let block = |x: i16, key| SceneBody::fixed(rect(Fx::from_num(x), fx!(80), 40, 16), key);
+    let ball = |x: f64, y: f64, key| {
+        SceneBody::new(Circle::new(Vec2::new(Fx::from_num(x), Fx::from_num(y)), fx!(8)).unwrap(), key)
+    };
+    // The upper ball, how deep it is at the end, and where its centre is if it keeps out.
+    let scenes = [
+        (
+            vec![floor, ball(60.0, 104.0, 1), ball(76.0, 104.0, 2)],
+            ball(68.0, 90.14, 3),
+            fx!(0.09)..fx!(0.12),
+            fx!(90.14),
+        ),
+        (vec![floor, block(20, 4), block(72, 5)], ball(66.0, 60.0, 3), fx!(0)..fx!(0.01), fx!(74.71)),
+    ];
+    for (others, upper, sinks, stays) in scenes {
+        for fast in [false, true] {
+            let mut scene = Swept::new(SortSweep::new());
+            let others: Vec<_> = others.iter().map(|body| scene.insert(body).unwrap()).collect();
+            let upper = scene.insert(&SceneBody { fast, ..upper }).unwrap();
+            for _ in 0..400 {
+                step(&mut scene, Vec2::new(fx!(0), fx!(0.25)));
+            }
+            let shape = scene.body(upper).unwrap().shape;
+            let deep = |&other: &_| scene.body(other).unwrap().shape.contact(&shape).map_or(Fx::ZERO, |c| c.depth());
+            let (deep, y) = (others.iter().map(deep).max().unwrap(), shape.position().y);
+            let off = y - stays;
+            if fast {
+                assert!(deep < fx!(0.01) && off.abs() < fx!(0.02), "{stays}: {deep} at {y}");
+            } else {
+                assert!(sinks.contains(&deep) && off > fx!(0.05), "{stays}: {deep} at {y}");
+            }
         }
     }
 }

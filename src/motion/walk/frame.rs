@@ -64,7 +64,8 @@ impl Walker {
     /// That costs up to a fifth of the frame's way once, and more if corners follow each other
     /// within a frame. Through a quarter pipe it moves by chords, and stops before the slope passes
     /// the limit. Mirrored scenes give mirrored bits, with the exceptions of
-    /// [`Mover::move_and_slide`]. Tiles and polygons of the same ground give the same bits to
+    /// [`Mover::move_and_slide`]. A box that snaps into a V and meets both slopes at once takes the
+    /// one whose normal points to +x. Tiles and polygons of the same ground give the same bits to
     /// boxes, circles and capsules.
     ///
     /// A step leads to any floor, level or sloping. A circle climbs by its lowest point, which

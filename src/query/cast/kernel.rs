@@ -189,14 +189,16 @@ pub struct CastHit {
     /// one if it is parallel to x or y. For straight sides it is exact. For two circles it points
     /// from the centre of B to that of A at the hit. For a circle and a corner it lies on the line
     /// between the centre and the corner. Its resolution grows with the radius. In the closest
-    /// graze it is perpendicular to the motion, within that rounding.
+    /// graze it is perpendicular to the motion, within that rounding. Round shapes of a few raw
+    /// units may have one that leans along the motion.
     pub axis: Axis,
     /// How far A moves until the hit. At `position + displacement` it touches B, or is less than 2
     /// raw units short of it, and does not overlap it. A motion longer than 4096 units may end four
     /// raw units short. If a [`Compound`](crate::shape::Compound) is met between two parts, the
     /// displacement is reduced until it overlaps neither.
     ///
-    /// Along an axis parallel to x or y it is exact. Each component is between zero and that of the
+    /// It may be longer than the exact way by less than a raw unit, where that is free. Along an
+    /// axis parallel to x or y it is exact. Each component is between zero and that of the
     /// motion. So if the motion stays in the domain, the moved shape does, too.
     pub displacement: Vec2,
     /// Whether the shapes overlapped before the motion; only with [`Inside::Hit`]. The displacement

@@ -22,7 +22,8 @@ pub(super) fn are_short(sum: f64) -> bool {
     sum < 1_125_899_906_842_624.0
 }
 
-/// [`exact_margins`](super::margins::exact_margins), nearly: without the areas, which are of two margins each.
+/// [`exact_margins`](super::margins::exact_margins), nearly: without the areas, which are of two
+/// margins each.
 pub(super) struct FloatMargins {
     pub(super) of_a: Two,
     pub(super) of_b: Two,

@@ -69,7 +69,8 @@ fn numbers(text: &str, form: &Form<'_>) -> Result<Vec<u32>, String> {
         let number = number.trim();
         gids.push(number.parse().map_err(|_| {
             let width = form.width.max(1) as usize;
-            let missing = if number.contains(char::is_whitespace) { "a comma is missing" } else { "save the map again in Tiled" };
+            let missing =
+                if number.contains(char::is_whitespace) { "a comma is missing" } else { "save the map again in Tiled" };
             format!("'{number}' is not a tile, in column {}, row {}: {missing}", gids.len() % width, gids.len() / width)
         })?);
     }

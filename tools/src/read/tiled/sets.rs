@@ -69,7 +69,10 @@ impl Sets {
             None => Ok(()),
             Some(other) => {
                 let names = (&self.all[other].name, &self.all[index].name);
-                Err(format!("two tilesets begin at tile {first}: '{}' and '{}'; save the map again in Tiled", names.0, names.1))
+                Err(format!(
+                    "two tilesets begin at tile {first}: '{}' and '{}'; save the map again in Tiled",
+                    names.0, names.1
+                ))
             }
         }
     }
