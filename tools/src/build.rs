@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fmt, fs};
 
 use crate::advice::in_file;
-use crate::bake::{self, Bundle, Outputs, Settings, names, source};
+use crate::bake::{self, Baked, Bundle, Outputs, Settings, names, source};
 use crate::fail::{Fail, one_line};
 use crate::model::map::Map;
 use crate::project;
@@ -142,6 +142,9 @@ pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
             return Err(Failed(failed.iter().map(|fail| Fail::new(in_file(&fail.to_string()))).collect()));
         }
     };
+    if let Some(fail) = hollow(&drawn, &bundle, &settings) {
+        return Err(fail.into());
+    }
     let baked: Vec<&(PathBuf, Map)> =
         drawn.iter().filter(|(_, map)| !listed(&settings.options.ignored_levels, &map.name)).collect();
     if let Some(both) = collision(&baked) {
@@ -215,11 +218,24 @@ fn title(drawn: &[(PathBuf, Map)], file: &Path, map: &Map) -> String {
     if several { format!("level '{}': ", map.name) } else { String::new() }
 }
 
+/// The message about the first file with levels, and nothing solid in any of them.
+fn hollow(drawn: &[(PathBuf, Map)], bundle: &Bundle, settings: &Settings) -> Option<Fail> {
+    let baked = drawn.iter().filter(|(_, map)| !listed(&settings.options.ignored_levels, &map.name));
+    let levels: Vec<(&PathBuf, &Baked)> = baked.map(|(file, _)| file).zip(&bundle.levels).collect();
+    let solid: HashSet<&PathBuf> = levels.iter().filter(|(_, level)| level.is_solid()).map(|(file, _)| *file).collect();
+    let (file, _) = levels.iter().find(|(file, level)| level.ground.is_hollow() && !solid.contains(file))?;
+    let maps: Vec<Map> = drawn.iter().filter(|(other, _)| other == *file).map(|(_, map)| map.clone()).collect();
+    bake::bake(&maps, settings).err().map(|fail| Fail::new(format!("{}: {fail}", file.display())))
+}
+
 /// The message about each refused level.
 fn refused(drawn: &[(PathBuf, Map)], settings: &Settings) -> Vec<Fail> {
     let alone = |(file, map): &(PathBuf, Map)| {
-        let fail = bake::bake(std::slice::from_ref(map), settings).err()?;
-        Some(Fail::new(format!("{}: {}{fail}", file.display(), title(drawn, file, map))))
+        let title = title(drawn, file, map);
+        // A level of a project can have nothing solid.
+        let options = Options { bare: !title.is_empty(), ..settings.options.clone() };
+        let fail = bake::bake(std::slice::from_ref(map), &Settings { options, cell: settings.cell }).err()?;
+        Some(Fail::new(format!("{}: {title}{fail}", file.display())))
     };
     drawn.iter().filter_map(alone).collect()
 }

@@ -25,6 +25,8 @@ struct File {
     flag: Vec<String>,
     #[serde(alias = "solid_layer")]
     solid_layer: Vec<String>,
+    #[serde(alias = "one_way_layer")]
+    one_way_layer: Vec<String>,
     #[serde(alias = "ignore_layer")]
     ignore_layer: Vec<String>,
     objects: Vec<String>,
@@ -76,6 +78,7 @@ fn options(text: &str) -> std::result::Result<Options, String> {
         shapes,
         flags: file.flag,
         solid_layers: file.solid_layer,
+        one_way_layers: file.one_way_layer,
         ignored_layers: file.ignore_layer,
         objects: file.objects,
         ignored_levels: file.ignore_level,
@@ -83,6 +86,7 @@ fn options(text: &str) -> std::result::Result<Options, String> {
         scale: file.scale.map(|text| scale(&text).map_err(|why| format!("scale: {why}"))).transpose()?,
         weld: file.weld.map(|text| weld(&text).map_err(|why| format!("weld: {why}"))).transpose()?,
         rooms: false,
+        bare: false,
     })
 }
 
@@ -92,6 +96,7 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
     let layers: Vec<&str> = all().map(|layer| layer.name.as_str()).collect();
     let of_layers = [
         ("--solid-layer", &options.solid_layers),
+        ("--one-way-layer", &options.one_way_layers),
         ("--ignore-layer", &options.ignored_layers),
         ("--objects", &options.objects),
     ];
@@ -122,6 +127,10 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
     let is_place = |name: &str| name.contains(':') || name.bytes().all(|b| b.is_ascii_digit());
     let given = options.shapes.iter().map(|(name, _)| name).chain(&options.flags);
     match given.into_iter().find(|name| !is_place(name) && !names.iter().any(|known| crate::rules::same(known, name))) {
+        Some(name) if layers.iter().any(|layer| crate::rules::same(layer, name)) => Err(format!(
+            "no tile, object or value is called '{name}', but a layer is: add --solid-layer '{name}' or \
+             --one-way-layer '{name}'"
+        )),
         Some(name) => Err(format!("no tile, object or value is called '{name}'; there are: {}", shown(&names))),
         None => Ok(()),
     }

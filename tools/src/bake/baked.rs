@@ -1,6 +1,6 @@
 //! A level in the forms that the library reads.
 
-use tilesat::{AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap};
+use tilesat::{AllShapes, Fx, Grid, SegmentMap, TileKinds, TileMap, TileShape};
 
 use super::level::Level;
 use super::segments::Shapes;
@@ -23,6 +23,13 @@ pub struct Baked {
 }
 
 impl Baked {
+    /// Whether anything of it is solid or one-way.
+    pub(crate) fn is_solid(&self) -> bool {
+        let shape = |id: &u8| self.kinds.get(*id).shape;
+        let tiles = self.tiles.as_ref().map_or(&[][..], |level| level.tiles.as_slice());
+        self.objects.is_some() || tiles.iter().any(|id| shape(id) != TileShape::Empty)
+    }
+
     /// The tiles as the library's map, and their grid.
     ///
     /// # Errors

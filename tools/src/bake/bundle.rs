@@ -13,7 +13,7 @@ use crate::model::map::{Content, Map};
 use crate::rules::flags::Flags;
 use crate::rules::ground::Ground;
 use crate::rules::kind::Kind;
-use crate::rules::options::{Options, listed};
+use crate::rules::options::{Options, listed, together};
 use crate::rules::outline::Outline;
 use crate::rules::union;
 
@@ -34,31 +34,39 @@ pub struct Bundle {
     pub kinds: Vec<TileKind>,
     /// The name of each flag bit, bit 0 first.
     pub flags: Vec<String>,
-    /// Flags beyond the eight that the user has chosen.
+    /// Flags beyond the eight that stay.
     pub dropped: Vec<String>,
+    /// What the authors probably did not intend, of all levels together.
+    pub warnings: Vec<String>,
 }
 
 /// Bakes levels, the tiles and the objects of each.
 ///
 /// # Errors
 ///
-/// If a level has nothing solid. Otherwise one line names the layer or object that the library
+/// If nothing is solid in any level. Otherwise one line names the layer or object that the library
 /// refuses, and the reason.
 pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
-    let options = &settings.options;
+    let is_solid = |bundle: &Bundle| bundle.levels.iter().any(Baked::is_solid);
+    let count = maps.iter().filter(|map| !listed(&settings.options.ignored_levels, &map.name)).count();
+    let bundle = together(count, &settings.options, |options| all(maps, options, settings.cell), is_solid)?;
+    if !settings.options.bare && !is_solid(&bundle) {
+        return Err(Fail::new("nothing is solid: nothing is drawn"));
+    }
+    Ok(bundle)
+}
+
+fn all(maps: &[Map], options: &Options, cell: Option<Fx>) -> Result<Bundle> {
     let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
     let mut ids = Ids::default();
     let mut levels = Vec::new();
     for map in maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)) {
         let of_level =
             |fail: Fail| if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail };
-        levels.push(level(map, settings, &mut flags, &mut ids).map_err(of_level)?);
+        levels.push(level(map, (options, cell), &mut flags, &mut ids).map_err(of_level)?);
     }
     if levels.is_empty() {
         return Err(Fail::new("every level is skipped: remove an --ignore-level"));
-    }
-    if levels.iter().all(|level| level.tiles.is_none() && level.objects.is_none()) {
-        return Err(Fail::new("nothing is drawn, so nothing is solid: draw tiles or shapes"));
     }
     let table = (0..=u8::MAX).zip(ids.kinds()).fold(TileKinds::EMPTY, |table, (id, kind)| table.with(id, *kind));
     for baked in &mut levels {
@@ -69,11 +77,12 @@ pub fn bake(maps: &[Map], settings: &Settings) -> Result<Bundle> {
             tiles.flags.clone_from(&flags.names);
         }
     }
-    Ok(Bundle { levels, kinds: ids.kinds().to_vec(), flags: flags.names, dropped: flags.dropped })
+    let warnings = flags.warning().into_iter().collect();
+    Ok(Bundle { levels, kinds: ids.kinds().to_vec(), flags: flags.names, dropped: flags.dropped, warnings })
 }
 
-fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Result<Baked> {
-    let mut ground = Ground::of(map, &settings.options, flags)?;
+fn level(map: &Map, (options, cell): (&Options, Option<Fx>), flags: &mut Flags, ids: &mut Ids) -> Result<Baked> {
+    let mut ground = Ground::of(map, options, flags)?;
     let repeated = segments::once(&mut ground.outlines);
     segments::refuse_crossed(&ground.outlines)?;
     let tiles = Level::with(&ground, &flags.names, ids)?;
@@ -91,7 +100,7 @@ fn level(map: &Map, settings: &Settings, flags: &mut Flags, ids: &mut Ids) -> Re
             return Err(Fail::new(segments::piled(&outlines)));
         }
         let shapes = Shapes::of(&outlines, flags)?;
-        let cell = settings.cell.unwrap_or_else(|| shapes.cell(ground.tile));
+        let cell = cell.unwrap_or_else(|| shapes.cell(ground.tile));
         let bytes = shapes.build(&outlines, cell)?;
         objects = Some((shapes, bytes, cell));
     }

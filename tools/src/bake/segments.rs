@@ -25,7 +25,7 @@ impl Shapes {
     ///
     /// # Errors
     ///
-    /// One line names the object that is open, is far outside the domain, or has the ninth flag.
+    /// One line names the object that is open or is far outside the domain.
     pub fn of(outlines: &[Outline], flags: &mut Flags) -> Result<Self> {
         let mut shapes = Self { points: Vec::new(), kinds: Vec::new() };
         for outline in outlines {
@@ -46,10 +46,7 @@ impl Shapes {
             if outline.closed && !outline.kind.has_area() {
                 points.extend(points.first().copied());
             }
-            let mut mask = 0;
-            for name in &outline.flags {
-                mask |= flags.bit(name).map_err(|why| of_object(&why))?;
-            }
+            let mask = outline.flags.iter().fold(0, |all, name| all | flags.bit(name));
             let kind = match outline.kind {
                 Kind::Solid => PathKind::Solid,
                 Kind::Hole => PathKind::Hole,

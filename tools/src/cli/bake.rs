@@ -152,12 +152,9 @@ fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
             told(baked, &bundle, &lines, out);
         }
     }
-    if !bundle.dropped.is_empty() {
-        list(
-            if job.json { err } else { out },
-            "dropped",
-            &bundle.dropped.iter().map(|name| format!("flag {name}")).collect::<Vec<_>>(),
-        );
+    let dropped = bundle.dropped.iter().map(|name| format!("flag {name}")).collect();
+    for (word, lines) in [("warning", bundle.warnings), ("dropped", dropped)] {
+        list(if job.json { err } else { out }, word, &lines);
     }
     if !job.json {
         for file in written {

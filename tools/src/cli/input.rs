@@ -21,23 +21,29 @@ its maps (.world), or a project of LDtk (.ldtk).
 /// The text about the options.
 pub(crate) const OPTIONS: &str = "
 A tile is solid by the first of these rules that applies:
-  a  its class or a true property: Collision, Solid, Collides, Collidable, Wall,
-     Blocked; OneWay; or a property shape (full, one-way-up, slope-bottom-left, ..,
-     as tilesat sheet draws them) or npp (its number in N++, 0 to 33)
+  a  its class or a true property: Collision, Solid, Collide, Collides, Collidable,
+     Collider, Wall, Blocked; OneWay; or a property shape (full, one-way-up,
+     slope-bottom-left, .., as tilesat sheet draws them) or npp (its number in N++,
+     0 to 33)
   b  its shapes of Tiled's collision editor
-  c  its layer has a name, class or true property with the word collision, collider
-     or solid: every tile drawn there is full
+  c  its layer has a name, class or true property with the word collision, collider,
+     collide, collidable, solid, blocked or blocking: every tile drawn there is full;
+     with the words one way: every tile drawn there is one-way from above
   d  if no rule above makes anything solid: its layer is named wall, ground, terrain,
-     platform, block or obstacle. Values of an LDtk IntGrid follow these words too,
-     also dirt, stone, rock, brick, earth, and names of shapes, with flags:
-     SlopeTopLeft_Ice
-All other classes and true properties are flags, at most eight. These options come first:
+     platform, block or obstacle; if still nothing is: floor or boundary. Values of an
+     LDtk IntGrid follow these words too, also dirt, stone, rock, brick, earth, and
+     names of shapes, with flags: SlopeTopLeft_Ice. Values without an identifier
+     follow the rules c and d of their layer. If nothing is solid so far, named values
+     of a layer of rule c are full, except names such as water, ladder or spikes
+All other classes and true properties are flags: the first eight, from the lowest layer
+up. These options come first:
   --solid NAME[=SHAPE]  tiles of this name are full, or of this shape
   --one-way NAME        tiles of this name are one-way from above
   --empty NAME          tiles of this name are empty
   --flag NAME           the name is only a flag; if there are more than eight
                         flags, the ones named here stay
-  --solid-layer NAME    every tile drawn in the layer is full
+  --solid-layer NAME    each tile of the layer is full, unless a or b gives its shape
+  --one-way-layer NAME  the same, one-way from above
   --ignore-layer NAME   skip the layer
   --objects NAME        the objects of the layer are solid
   --ignore-level NAME   skip the level of a project
@@ -49,7 +55,8 @@ All other classes and true properties are flags, at most eight. These options co
 The NAME of a tile is its class, a true property, TILESET:ID, or an IntGrid value (its
 identifier, its number, or LAYER:NUMBER), in any case. A file tilesat.toml beside
 the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
-one-way, empty, flag, solid-layer, ignore-layer, objects, ignore-level (lists), scale = \"1/2\", weld = \"0.25\".
+one-way, empty, flag, solid-layer, one-way-layer, ignore-layer, objects, ignore-level (lists),
+scale = \"1/2\", weld = \"0.25\".
 Objects are solid if --objects, their class, a true property, their name or their
 layer (rule c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
 the property kind chooses solid, hole, wall (a chain that blocks from both sides) or
@@ -75,6 +82,7 @@ impl Input {
             "empty" => options.shapes.push((text(parser, "--empty")?, TileShape::Empty)),
             "flag" => options.flags.push(text(parser, "--flag")?),
             "solid-layer" => options.solid_layers.push(text(parser, "--solid-layer")?),
+            "one-way-layer" => options.one_way_layers.push(text(parser, "--one-way-layer")?),
             "ignore-layer" => options.ignored_layers.push(text(parser, "--ignore-layer")?),
             "objects" => options.objects.push(text(parser, "--objects")?),
             "ignore-level" => options.ignored_levels.push(text(parser, "--ignore-level")?),

@@ -12,9 +12,10 @@ use super::input::{self, Input};
 use super::tell::{list, status, tell, usage};
 use crate::fail::{Fail, Result};
 use crate::lint::{self, Body, Rules, Severity};
+use crate::model::map::Map;
 use crate::rules::flags::Flags;
 use crate::rules::ground::Ground;
-use crate::rules::options::listed;
+use crate::rules::options::{Options as Solid, listed, together};
 
 const USAGE: &str = "\
 usage: tilesat lint LEVEL [options]
@@ -90,10 +91,20 @@ fn parse(args: impl Iterator<Item = OsString>) -> Result<Option<Options>> {
 fn job(job: Options, out: &mut dyn Write) -> Result<u8> {
     let (levels, options) = job.input.load(&job.file)?;
     let of_file = |fail: Fail| Fail::new(format!("{}: {fail}", job.file.display()));
-    let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
+    let maps: Vec<&Map> = levels.maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)).collect();
+    let made = |options: &Solid| {
+        let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
+        let ground = |map: &&Map| {
+            let of_level = |fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
+            Ground::of(map, options, &mut flags).map_err(|fail| if maps.len() > 1 { of_level(fail) } else { fail })
+        };
+        let grounds = maps.iter().map(ground).collect::<Result<Vec<_>>>()?;
+        Ok((grounds, flags))
+    };
+    let is_solid = |(grounds, _): &(Vec<Ground>, Flags)| grounds.iter().any(Ground::is_solid);
+    let (grounds, flags) = together(maps.len(), &options, made, is_solid).map_err(of_file)?;
     let (mut layers, mut outlines, mut found) = (0, 0, [0; 3]);
-    for map in levels.maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)) {
-        let ground = Ground::of(map, &options, &mut flags).map_err(of_file)?;
+    for (map, ground) in maps.iter().zip(grounds) {
         let findings = lint::check(&ground, &job.rules).map_err(of_file)?;
         if levels.maps.len() > 1 {
             tell(out, &format!("level {}", map.name));
@@ -108,6 +119,7 @@ fn job(job: Options, out: &mut dyn Write) -> Result<u8> {
         layers += ground.layers;
         outlines += ground.outlines.len();
     }
+    list(out, "note", &flags.warning().into_iter().collect::<Vec<_>>());
     let [errors, warnings, notes] = found;
     tell(out, &format!("layers={layers} outlines={outlines} errors={errors} warnings={warnings} notes={notes}"));
     Ok(u8::from(errors > 0 || job.strict && warnings > 0))

@@ -109,7 +109,8 @@ fn arena(path: &Path, input: Input) -> Result<Drawn> {
     let map = first.ok_or_else(|| of_file(Fail::new("every level is skipped: remove an --ignore-level")))?;
     let bundle = bake::bake(std::slice::from_ref(map), &Settings { options, cell: None }).map_err(of_file)?;
     let [baked] = &bundle.levels[..] else { return Err(of_file(Fail::new("no level"))) };
-    Ok((Arena::of(baked).map_err(of_file)?, levels.files, baked.ground.notes.clone()))
+    let notes = baked.ground.notes.iter().chain(&bundle.warnings).cloned().collect();
+    Ok((Arena::of(baked).map_err(of_file)?, levels.files, notes))
 }
 
 fn describe(path: &Path, arena: &Arena, out: &mut dyn Write) {

@@ -18,6 +18,13 @@ pub(crate) const CLASS: &str = "a class: make its members properties of the obje
 pub(crate) const LIST: &str = "a list: make its values properties of the object";
 
 impl Value {
+    /// Whether it is a number that is not 0. Some authors use it for true. Before 0.17, Tiled had
+    /// no types and wrote it as text.
+    pub(crate) fn is_one(&self) -> bool {
+        let (Self::Number(digits) | Self::Text(digits)) = self else { return false };
+        digits.trim().parse().is_ok_and(|v: f64| v.is_finite() && v != 0.0)
+    }
+
     /// Whether it is true. Old versions of Tiled had no types and wrote the word.
     pub(crate) fn is_true(&self) -> bool {
         match self {
@@ -51,11 +58,9 @@ impl Properties {
         self.0.iter().filter(|(_, value)| value.is_true()).map(|(name, _)| name.as_str())
     }
 
-    /// The names of numbers that are not 0. Some authors use them for true.
+    /// The names of numbers that are not 0.
     pub fn ones(&self) -> impl Iterator<Item = &str> {
-        let is_one =
-            |value: &Value| matches!(value, Value::Number(digits) if digits.parse().is_ok_and(|v: f64| v != 0.0));
-        self.0.iter().filter(move |(_, value)| is_one(value)).map(|(name, _)| name.as_str())
+        self.0.iter().filter(|(_, value)| value.is_one()).map(|(name, _)| name.as_str())
     }
 
     /// The value of a property as text, whatever its type. Ignores case in the name.

@@ -16,7 +16,7 @@ use crate::bake::level::Ids;
 use crate::fail::{Fail, Result};
 use crate::model::map::Map;
 use crate::rules::flags::Flags;
-use crate::rules::options::{Options, listed};
+use crate::rules::options::{Options, listed, together};
 use crate::rules::outline::LeftOut;
 use part::Part;
 
@@ -87,13 +87,19 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
         return Err(Fail::new("--room is for one map: the levels of a project are rooms already"));
     }
     let options = Options { rooms: true, ..options.clone() };
-    let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
-    let mut ids = Ids::default();
-    let mut parts = Vec::new();
-    for map in maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)) {
-        let of_level = |fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
-        parts.push(Part::of(map, &options, &mut flags, &mut ids).map_err(of_level)?);
-    }
+    let all: Vec<&Map> = maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)).collect();
+    let made = |options: &Options| {
+        let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
+        let mut ids = Ids::default();
+        let part = |map: &&Map| {
+            let of_level = |fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
+            Part::of(map, options, &mut flags, &mut ids).map_err(of_level)
+        };
+        let parts: Vec<Part> = all.iter().map(part).collect::<Result<_>>()?;
+        Ok((parts, flags, ids))
+    };
+    let is_solid = |(parts, ..): &(Vec<Part>, Flags, Ids)| parts.iter().any(|part| part.is_solid);
+    let (mut parts, mut flags, ids) = together(all.len(), &options, made, is_solid)?;
     let Some(cell) = parts.first().map(|part| part.cell) else {
         return Err(Fail::new("every level is skipped: remove an --ignore-level"));
     };
@@ -129,6 +135,8 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
         let of_room = |fail: Fail| Fail::new(format!("room '{}': {fail}", room.name));
         room.segments = segments::of(&parts, room, cell, apron, &mut flags).map_err(of_room)?;
     }
+    world.warnings.extend(flags.warning());
+    world.unused.extend(flags.dropped.iter().map(|name| format!("flag {name}")));
     world.flags = flags.names;
     world.check()?;
     Ok(world)

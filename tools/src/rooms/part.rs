@@ -25,6 +25,7 @@ pub(super) struct Part {
     pub cell: u16,
     /// Only levels of one plane are neighbours.
     pub plane: (usize, i32),
+    pub is_solid: bool,
     /// Whether it has a position among others.
     pub placed: bool,
     /// The room, in cells of the world.
@@ -75,6 +76,7 @@ impl Part {
         let drawn = if level.is_some() { (0, 0) } else { (map.size.0.into(), map.size.1.into()) };
         let extent = extent(&ground.outlines, side, drawn);
         Ok(Self {
+            is_solid: ground.is_solid(),
             name: ground.name,
             cell: ground.tile,
             plane: map.place.map_or((0, 0), |place| place.plane),

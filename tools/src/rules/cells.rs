@@ -26,6 +26,8 @@ type Block = ((i64, i64), (i32, i32));
 pub(super) struct Sheet<'a> {
     pub(super) layer: &'a Layer,
     pub(super) tiles: &'a Tiles,
+    /// The palette entries that it draws, and how often.
+    pub(super) used: Vec<(u32, u64)>,
     pub(super) pieces: HashMap<u32, Piece>,
     pub(super) flags: HashMap<u32, Vec<String>>,
     /// The cells of the entries that have flags.
@@ -150,7 +152,7 @@ impl Cells {
                     Entry::Occupied(known) => *known.get(),
                     Entry::Vacant(new) => {
                         let names = sheet.flags.get(&cell).map(Vec::as_slice).unwrap_or_default();
-                        *new.insert(names.iter().try_fold(0, |all, name| Ok::<u8, String>(all | flags.bit(name)?))?)
+                        *new.insert(names.iter().fold(0, |all, name| all | flags.bit(name)))
                     }
                 };
                 (last, piece) = (cell, sheet.pieces.get(&cell));

@@ -3,15 +3,18 @@
 //! The first rule that applies to a placed tile decides:
 //!
 //! 1. `option`: the user's [`Options`].
-//! 2. `a`: its class or a true property is `Collision`, `Solid`, `Collides`, `Collidable`, `Wall`,
-//!    `Blocked` or `OneWay`. Or the properties `shape` and `npp` name its shape.
+//! 2. `a`: its class or a true property is `Collision`, `Solid`, `Collide`, `Collides`,
+//!    `Collidable`, `Collider`, `Wall`, `Blocked` or `OneWay`. Or the properties `shape` and `npp`
+//!    name its shape.
 //! 3. `b`: it has shapes of Tiled's collision editor. A shape within 1/8 pixel of one of the
 //!    library's becomes that one. All others become polygons beside the tiles.
 //! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
-//!    collision, collider or solid.
+//!    collision, collider, collide, collidable, solid, blocked or blocking, or with the words one
+//!    way.
 //! 5. `d`: if nothing of the map is solid so far, and its layer has a name with the word wall,
-//!    ground, terrain, platform, block or obstacle. For values of `LDtk` the words are the same,
-//!    and dirt, stone, rock, brick and earth.
+//!    ground, terrain, platform, block or obstacle. If still nothing is solid: floor or boundary.
+//!    For values of `LDtk` the words are the same, and dirt, stone, rock, brick and earth. Values
+//!    without an identifier follow the rules `c` and `d` of their layers.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -26,7 +29,7 @@ use super::outline::{LeftOut, Outline};
 use super::piece::Piece;
 use super::place::{self, Unit};
 use super::report::Applied;
-use super::{doubts, nothing, objects, paths, unread, unused};
+use super::{doubts, guess, nothing, objects, paths, unread, unused};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
@@ -88,10 +91,22 @@ impl Ground {
     pub fn of(map: &Map, options: &Options, flags: &mut Flags) -> Result<Self> {
         make(map, options, flags).map_err(Fail::new)
     }
+
+    /// Whether something is drawn, and nothing of it is solid.
+    pub(crate) fn is_hollow(&self) -> bool {
+        !self.is_solid() && self.doubts.iter().any(|doubt| doubt.who == LEVEL)
+    }
+
+    /// Whether anything is solid or one-way.
+    pub(crate) fn is_solid(&self) -> bool {
+        !self.outlines.is_empty() || self.cells.iter().any(|kind| kind.shape != TileShape::Empty)
+    }
 }
 
 /// The most reasons of the reader after the advice for a level without a solid.
 const MOST_REASONS: usize = 3;
+/// Who has a doubt about a whole level.
+const LEVEL: &str = "the level";
 const READ: &str = "the file is not quite what was meant";
 const FALL: &str = "bodies pass through what is not solid";
 
@@ -99,11 +114,13 @@ type Made<T> = std::result::Result<T, String>;
 
 fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     let unit = Unit::new(options.scale);
-    let named = flags.names.len();
+    let (named, dropped) = (flags.names.len(), flags.dropped.len());
     let mut layers = Layers::new(map, options, unit)?;
     let mut sheets = Vec::new();
     for layer in layers.all.clone() {
         match &layer.content {
+            // LDtk lists each layer in each level, drawn or not.
+            Content::Tiles(tiles) if map.values && tiles.cells.is_empty() => {}
             Content::Tiles(tiles) => sheets.push(layers.sheet(layer, tiles)?),
             Content::Objects(_) => {}
             Content::Image => layers.ignored.push(format!("image layer '{}'", layer.name)),
@@ -111,26 +128,39 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     }
     let mut doubts = unread::templates(map, options)?;
     doubts.extend(unread::tilesets(map, &sheets)?);
-    let (mut outlines, mut left_out) = layers.objects(false)?;
+    let (mut outlines, mut left_out) = layers.objects(None)?;
     let empty = |piece: &Piece| *piece == Piece::Shape(TileShape::Empty);
-    if outlines.is_empty() && sheets.iter().all(|sheet| sheet.pieces.values().all(empty)) {
-        for sheet in &mut sheets {
-            layers.guess(sheet);
+    for list in guess::STEPS {
+        if !outlines.is_empty() || !sheets.iter().all(|sheet| sheet.pieces.values().all(empty)) {
+            layers.passed_over(&sheets, list);
+            break;
         }
-        (outlines, left_out) = layers.objects(true)?;
+        for sheet in &mut sheets {
+            layers.guess(sheet, list);
+        }
+        (outlines, left_out) = layers.objects(Some(list))?;
     }
     let cells = cells::merge(&sheets, flags)?;
     layers.unseen(&sheets, &outlines);
     let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;
     outlines.splice(0..0, of_tiles);
     if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
-        nothing::explain(map, &sheets, options).map_err(|why| {
+        let explained = nothing::why(map, &sheets, options).map(|why| {
             let missing = map.tilesets.iter().find_map(|set| set.missing.as_ref());
             let why = missing.map_or(why.clone(), |missing| format!("{missing}; without it, {why}"));
             let read = map.warnings.iter().cloned().chain(doubts::shapes(map));
             read.take(MOST_REASONS).fold(why, |why, (who, what)| format!("{why}; {who}: {what}"))
-        })?;
-        layers.notes.push("it is empty: nothing is drawn".to_owned());
+        });
+        match explained {
+            None => layers.notes.push("it is empty: nothing is drawn".to_owned()),
+            Some(why) if options.bare => {
+                let what = format!("{why}; --ignore-level '{}' skips the level", map.name);
+                doubts.push(Doubt { who: LEVEL.to_owned(), what, why: FALL });
+            }
+            Some(why) => return Err(why),
+        }
+    } else {
+        layers.undecided(&sheets);
     }
     let classes = left_out.iter().map(|object| object.class.as_str());
     doubts.extend(map.warnings.iter().map(|(who, what)| Doubt { who: who.clone(), what: what.clone(), why: READ }));
@@ -142,13 +172,20 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
             why: "a flag belongs to a cell of the solid",
         });
     }
-    let new = flags.names.iter().skip(named).map(String::as_str).filter(|name| !options.is_flag(name));
+    let new = flags
+        .names
+        .iter()
+        .skip(named)
+        .chain(flags.dropped.iter().skip(dropped))
+        .map(String::as_str)
+        .filter(|name| !options.is_flag(name));
     let near = doubts::near_misses(new.chain(classes)).into_iter();
     doubts.extend(near.chain(doubts::shapes(map)).map(|(who, what)| Doubt { who, what, why: FALL }));
     let blocks = |kind: &TileKind| super::names::is_solid(kind.shape);
-    if outlines.is_empty() && !cells.kinds.is_empty() && !cells.kinds.iter().any(blocks) {
+    let hollow = doubts.iter().any(|doubt| doubt.who == LEVEL);
+    if !hollow && outlines.is_empty() && !cells.kinds.is_empty() && !cells.kinds.iter().any(blocks) {
         let what = "it has no solid tile and no solid object".to_owned();
-        doubts.push(Doubt { who: "the level".to_owned(), what, why: "bodies fall through this level" });
+        doubts.push(Doubt { who: LEVEL.to_owned(), what, why: "bodies fall through this level" });
     }
     let Layers { ledger, ignored, notes, .. } = layers;
     let solid = names(&sheets);

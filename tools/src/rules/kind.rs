@@ -22,7 +22,7 @@ impl Kind {
     pub fn from_name(name: &str) -> Option<Self> {
         let name = plain(name);
         Some(match name.strip_suffix('s').unwrap_or(&name) {
-            "solid" | "collision" | "collide" | "collidable" | "blocked" => Self::Solid,
+            "solid" | "collision" | "collide" | "collidable" | "collider" | "blocked" => Self::Solid,
             "hole" => Self::Hole,
             "wall" => Self::Wall,
             "oneway" => Self::OneWay,

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use tilesat::TileShape;
 
 use super::cells::Sheet;
+use super::guess;
 use super::likeness::Likeness;
 use super::names;
 use super::objects::{self, Says};
@@ -14,15 +15,22 @@ use super::piece::{self, Piece};
 use super::place::Unit;
 use super::report::{Ledger, Rule};
 use super::verdict::{self, Meaning, Solid};
-use super::words::{self, COLLISION, GUESS};
+use super::words::{self, COLLISION};
 use crate::model::map::{Content, Layer, Map, Placed, Tiles};
 
 type Made<T> = std::result::Result<T, String>;
 
+/// What a layer says of its tiles.
+struct ByLayer {
+    rule: Rule,
+    shape: TileShape,
+    what: String,
+}
+
 /// The layers of a map, and the rules used so far.
 pub(super) struct Layers<'a> {
-    map: &'a Map,
-    options: &'a Options,
+    pub(super) map: &'a Map,
+    pub(super) options: &'a Options,
     unit: Unit,
     likeness: Likeness,
     meanings: HashMap<u32, Meaning>,
@@ -68,9 +76,11 @@ impl<'a> Layers<'a> {
         let mut used: Vec<(u32, u64)> = counts.into_iter().collect();
         used.sort_unstable();
         let by_layer = self.layer_rule(layer, tiles);
-        let only_flags = self.options.layer.as_ref().is_some_and(|name| *name != layer.name);
-        let mut sheet = Sheet { layer, tiles, pieces: HashMap::new(), flags: HashMap::new(), flagged: HashMap::new() };
-        for (entry, count) in used {
+        let only_flags = guess::is_skipped(layer, self.options);
+        let (pieces, flags, flagged) = (HashMap::new(), HashMap::new(), HashMap::new());
+        let mut unnamed = Vec::new();
+        let mut sheet = Sheet { layer, tiles, used, pieces, flags, flagged };
+        for (entry, count) in sheet.used.clone() {
             if !self.meanings.contains_key(&entry) {
                 let meaning = verdict::of(self.map, &self.map.palette[entry as usize], self.options)?;
                 self.meanings.insert(entry, meaning);
@@ -81,67 +91,57 @@ impl<'a> Layers<'a> {
                 let cells = piece::drawn_on(self.map, &self.map.palette[entry as usize], tiles.tile);
                 sheet.flagged.insert(entry, cells);
             }
+            // The name of a layer says less than that of a value, unless the value has no name.
             let value = matches!(self.map.palette[entry as usize], Placed::Value { .. });
-            let by_layer = by_layer.as_ref().filter(|(rule, _)| !value || *rule == Rule::Option);
+            let named = value && !meaning.flags.is_empty();
+            let by_layer = by_layer.as_ref().filter(|by| !named || by.rule == Rule::Option);
             let (rule, what, solid) = match (&meaning.verdict, by_layer) {
                 (Some(verdict), _) => (verdict.rule, &verdict.what, verdict.solid),
-                (None, Some((rule, what))) => (*rule, what, Solid::Shape(TileShape::Full)),
+                (None, Some(by)) => (by.rule, &by.what, Solid::Shape(by.shape)),
                 (None, None) => continue,
             };
             if only_flags {
                 continue;
+            }
+            // A value, because of its layer.
+            if value && rule == Rule::C && meaning.verdict.is_none() {
+                unnamed.push(entry);
             }
             let piece = self.piece(entry, solid, tiles.tile);
             let what = if solid == Solid::Drawn { format!("{what} are {}", became(&piece)) } else { what.clone() };
             self.ledger.add(rule, &what, count);
             sheet.pieces.insert(entry, piece);
         }
+        if let Some(by) = &by_layer {
+            self.assume(&sheet, &unnamed, &names::name(by.shape));
+        }
         Ok(sheet)
     }
 
-    fn piece(&self, entry: u32, solid: Solid, tile: u16) -> Piece {
+    pub(super) fn piece(&self, entry: u32, solid: Solid, tile: u16) -> Piece {
         piece::of(self.map, &self.map.palette[entry as usize], solid, tile, &self.likeness, self.options.weld())
     }
 
-    /// The reason that all tiles of a layer are full, if they are.
-    fn layer_rule(&self, layer: &Layer, tiles: &Tiles) -> Option<(Rule, String)> {
-        let what = format!("layer '{}' is full", layer.name);
+    /// The shape of all tiles of a layer, and the rule that gives it.
+    fn layer_rule(&self, layer: &Layer, tiles: &Tiles) -> Option<ByLayer> {
+        let by = |rule, shape| {
+            Some(ByLayer { rule, shape, what: format!("layer '{}' is {}", layer.name, names::name(shape)) })
+        };
+        if listed(&self.options.one_way_layers, &layer.name) {
+            return by(Rule::Option, TileShape::OneWayUp);
+        }
         if listed(&self.options.solid_layers, &layer.name) {
-            return Some((Rule::Option, what));
+            return by(Rule::Option, TileShape::Full);
         }
-        let says = [&layer.name, &layer.class]
-            .into_iter()
-            .chain(&layer.marks)
-            .chain(&layer.groups)
-            .any(|name| words::has(name, COLLISION));
-        (says && !tiles.derived).then_some((Rule::C, what))
-    }
-
-    /// Applies rule d to a layer.
-    pub(super) fn guess(&mut self, sheet: &mut Sheet<'_>) {
-        let layer = sheet.layer;
-        let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).any(|name| words::has(name, GUESS));
-        let other = self.options.layer.as_ref().is_some_and(|name| *name != layer.name);
-        if !says || sheet.tiles.derived || other {
-            return;
+        let says = |is: fn(&str) -> bool| {
+            let own = [&layer.name, &layer.class].into_iter().chain(&layer.marks).chain(&layer.groups);
+            !tiles.derived && own.into_iter().any(|name| is(name))
+        };
+        // One way says more than collision.
+        if says(words::is_one_way) {
+            return by(Rule::C, TileShape::OneWayUp);
         }
-        let mut count = 0;
-        for (_, _, entry) in sheet.tiles.drawn() {
-            let known = self.meanings.get(&entry).is_some_and(|meaning| meaning.verdict.is_some());
-            let value = matches!(self.map.palette[entry as usize], Placed::Value { .. });
-            if known || value {
-                continue;
-            }
-            count += 1;
-            sheet.pieces.entry(entry).or_insert_with(|| {
-                let (full, tile) = (Solid::Shape(TileShape::Full), sheet.tiles.tile);
-                piece::of(self.map, &self.map.palette[entry as usize], full, tile, &self.likeness, 0)
-            });
-        }
-        if count > 0 {
-            self.ledger.add(Rule::D, &format!("layer '{}' is full", layer.name), count);
-            self.guessed(&layer.name, &format!("--solid-layer '{}'", layer.name));
-        }
+        if says(|name| words::has(name, COLLISION)) { by(Rule::C, TileShape::Full) } else { None }
     }
 
     /// Notes the solid layers that the editor does not show as they are.
@@ -168,20 +168,16 @@ impl<'a> Layers<'a> {
         }
     }
 
-    fn guessed(&mut self, layer: &str, option: &str) {
-        self.notes.push(format!(
-            "GUESS: nothing marks solid tiles, so layer '{layer}' is solid because of its name; {option} confirms it, --ignore-layer '{layer}' refuses it"
-        ));
-    }
-
-    /// The objects of all layers. For a guess by the layer's name, only the layers that it fits.
-    pub(super) fn objects(&mut self, guess: bool) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
+    /// The objects of all layers. For a guess by words in the layer's name, only the layers that it
+    /// fits.
+    pub(super) fn objects(&mut self, guess: Option<&[&str]>) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
         let (mut outlines, mut left_out, mut found, mut rounded) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {
             let Content::Objects(objects) = &layer.content else { continue };
             let mut says = objects::layer_says(layer, self.options);
             // Entities of LDtk are for the game.
-            let guessed = guess && says == Says::Nothing && !self.map.values && words::has(&layer.name, GUESS);
+            let fits = guess.is_some_and(|list| words::has(&layer.name, list));
+            let guessed = fits && says == Says::Nothing && !self.map.values;
             if guessed {
                 says = Says::Solid;
             }
@@ -223,7 +219,7 @@ impl<'a> Layers<'a> {
         }
         // A guess is the second pass: the first one found nothing.
         self.notes.extend(rounded);
-        for (rule, what, count) in if guess { Vec::new() } else { found } {
+        for (rule, what, count) in if guess.is_some() { Vec::new() } else { found } {
             self.ledger.add(rule, &what, count);
         }
         Ok((outlines, left_out))

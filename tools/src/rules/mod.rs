@@ -5,6 +5,7 @@ mod doubts;
 pub mod flags;
 mod form;
 pub mod ground;
+mod guess;
 mod identifier;
 pub mod kind;
 mod knots;

@@ -5,52 +5,69 @@ use std::fmt::Write;
 
 use super::cells::Sheet;
 use super::form;
+use super::guess;
 use super::options::Options;
-use super::words;
+use super::{traits, words};
 use crate::model::map::{Content, Map, Placed};
+use crate::model::property::Value;
 
 /// The most names in a list.
 const MOST: usize = 20;
 
-/// An error that names the layers, their counts and the option to add. Without advice if a level of
-/// `LDtk` is empty.
-pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Result<(), String> {
+/// A message that names the layers, their counts and the option to add. `None` if a level of `LDtk`
+/// is empty.
+pub(super) fn why(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Option<String> {
     if let Some(layer) = &options.layer {
-        return Err(format!("layer '{layer}' has no solid tile; --solid-layer '{layer}' makes every tile of it full"));
+        return Some(format!("layer '{layer}' has no solid tile; --solid-layer '{layer}' makes every tile of it full"));
     }
-    let mut tiles: Vec<String> = Vec::new();
+    // A layer of LDtk with tiles over each other is several sheets.
+    let mut tiles: Vec<(&str, usize)> = Vec::new();
     let mut names: BTreeSet<&str> = BTreeSet::new();
     for sheet in sheets {
-        let count = sheet.tiles.drawn().count();
-        if count > 0 {
-            tiles.push(format!("'{}' ({})", sheet.layer.name, words::several(count, "tile")));
+        let (name, count) = (sheet.layer.name.as_str(), sheet.tiles.drawn().count());
+        match tiles.last_mut().filter(|(last, _)| *last == name) {
+            Some((_, all)) => *all += count,
+            None => tiles.push((name, count)),
         }
         names.extend(sheet.flags.values().flatten().map(String::as_str));
     }
-    let (mut objects, mut marks): (Vec<String>, usize) = (Vec::new(), 0);
+    tiles.retain(|(_, count)| *count > 0);
+    let (mut objects, mut marks): (Vec<(&str, usize)>, usize) = (Vec::new(), 0);
     for layer in &map.layers {
         let Content::Objects(all) = &layer.content else { continue };
         let count = all.iter().filter(|object| form::has_extent(object)).count();
         marks += all.len() - count;
         if count > 0 {
-            objects.push(format!("'{}' ({})", layer.name, words::several(count, "object")));
+            objects.push((&layer.name, count));
         }
     }
     let is_bare = tiles.is_empty() && objects.is_empty() && marks == 0;
     if is_bare && map.values {
-        return Ok(());
+        return None;
     }
     // Writing to a string cannot fail.
     let mut why = "nothing is solid: no tile, no object".to_owned();
-    if !tiles.is_empty() {
-        let _ = write!(why, "; the tile layers are {}: add --solid-layer NAME if all of it is solid", list(&tiles));
+    if let Some(advice) = guess::advice(map, sheets, options) {
+        let _ = write!(why, "; {advice}");
     }
-    if !names.is_empty() {
-        let names: Vec<String> = names.into_iter().map(|name| format!("'{name}'")).collect();
-        let _ = write!(why, "; names of tiles are {}: add --solid NAME", list(&names));
+    if let [(first, _), ..] = tiles[..] {
+        let (layers, name) = (counted(&tiles, "tile"), only(tiles.len(), first));
+        let are = if tiles.len() == 1 { "layer is" } else { "layers are" };
+        let _ = write!(why, "; the tile {are} {layers}: add --solid-layer {name} if all of it is solid");
     }
-    if !objects.is_empty() {
-        let _ = write!(why, "; the object layers are {}: add --objects NAME if they are solid", list(&objects));
+    if let Some(first) = names.first() {
+        let (name, are) = (only(names.len(), first), if names.len() == 1 { "the name" } else { "names" });
+        let is = if names.len() == 1 { "is" } else { "are" };
+        let names: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
+        let _ = write!(why, "; {are} of tiles {is} {}: add --solid {name}", list(&names));
+    }
+    for hint in hints(map) {
+        let _ = write!(why, "; {hint}");
+    }
+    if let [(first, _), ..] = objects[..] {
+        let (layers, name) = (counted(&objects, "object"), only(objects.len(), first));
+        let are = if objects.len() == 1 { "layer is" } else { "layers are" };
+        let _ = write!(why, "; the object {are} {layers}: add --objects {name} if they are solid");
     } else if marks > 0 {
         why += "; the objects are points and texts, which are never solid: draw rectangles or polygons";
     }
@@ -60,10 +77,7 @@ pub(super) fn explain(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Res
     if only_marks(map) {
         why += "; points and texts of Tiled's collision editor are not solid: draw rectangles or polygons there";
     }
-    if map.values && map.palette.iter().any(|placed| matches!(placed, Placed::Value { .. })) {
-        why += "; --ignore-level NAME skips a level";
-    }
-    Err(why)
+    Some(why)
 }
 
 /// Whether a tile in a layer has collision shapes without an extent only.
@@ -74,6 +88,45 @@ fn only_marks(map: &Map) -> bool {
     };
     let mut drawn = map.palette.iter().filter_map(shapes).filter(|shapes| !shapes.is_empty());
     drawn.any(|shapes| !shapes.iter().any(form::has_extent))
+}
+
+/// What tiles in a layer say in a way that is no rule: a rule's word whose value is a text, or that
+/// bodies cannot walk there.
+fn hints(map: &Map) -> BTreeSet<String> {
+    let mut hints = BTreeSet::new();
+    for placed in &map.palette {
+        let Placed::Tile { tileset, id, .. } = placed else { continue };
+        let Some(tile) = map.tilesets[*tileset].tiles.get(id) else { continue };
+        for (name, value) in &tile.properties.0 {
+            let is_false = match value {
+                Value::Bool(is) => !is,
+                Value::Number(text) => text == "0",
+                Value::Text(text) => text == "0" || text.eq_ignore_ascii_case("false"),
+                Value::Object(_) | Value::Lost(_) => false,
+            };
+            if let (Value::Text(text), Some(_), false) = (value, traits::shape(name), is_false) {
+                hints.insert(format!(
+                    "tiles have the property '{name}' = '{text}', a text: make it a bool that is true"
+                ));
+            }
+            if is_false && ["walkable", "passable"].iter().any(|known| words::same(name, known)) {
+                hints.insert(format!(
+                    "tiles have the property '{name}', which is false: give them a true property 'solid'"
+                ));
+            }
+        }
+    }
+    hints
+}
+
+/// `'Trees' (3 tiles), ..`
+fn counted(layers: &[(&str, usize)], what: &str) -> String {
+    list(&layers.iter().map(|(name, count)| format!("'{name}' ({})", words::several(*count, what))).collect::<Vec<_>>())
+}
+
+/// A name for an option: that of the only choice, or a placeholder.
+fn only(count: usize, first: &str) -> String {
+    if count == 1 { format!("'{first}'") } else { "NAME".to_owned() }
 }
 
 fn list(names: &[String]) -> String {

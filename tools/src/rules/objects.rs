@@ -25,6 +25,9 @@ pub(super) enum Says {
 /// The settings in the names of a layer of objects.
 pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     let own: Vec<&str> = [&layer.name, &layer.class].into_iter().chain(&layer.marks).map(String::as_str).collect();
+    if listed(&options.one_way_layers, &layer.name) {
+        return Says::Kind(Kind::OneWay);
+    }
     let by_option = listed(&options.objects, &layer.name) || listed(&options.solid_layers, &layer.name);
     if let Some(kind) = Kind::from_name(&layer.class).filter(|kind| *kind != Kind::Solid) {
         return Says::Kind(kind);
@@ -167,17 +170,29 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         Some((_, shape)) => return Ok(Some(if super::names::is_one_way(shape) { Kind::OneWay } else { by_form })),
         None => {}
     }
-    let mut kinds: Vec<Kind> =
-        own.iter().filter(|name| !options.is_flag(name)).filter_map(|name| Kind::from_name(name)).collect();
-    kinds.sort_unstable();
-    kinds.dedup();
-    if let [a, b, ..] = kinds[..] {
-        return Err(format!("{whose} is both {a} and {b}"));
+    // Of names for one kind, the first one counts: the class.
+    let mut kinds: Vec<(Kind, &String)> = Vec::new();
+    for name in own.iter().filter(|name| !options.is_flag(name)) {
+        if let Some(kind) = Kind::from_name(name).filter(|kind| !kinds.iter().any(|(known, _)| known == kind)) {
+            kinds.push((kind, name));
+        }
     }
-    let by_name = || {
-        Kind::from_name(&object.name).map(|kind| if matches!(kind, Kind::Wall | Kind::Solid) { by_form } else { kind })
-    };
-    let kind = kinds.first().copied().or_else(by_name).or(match says {
+    let is_barrier = |kind: Kind| matches!(kind, Kind::Wall | Kind::Solid);
+    // A wall with a property `collides` says the same thing twice.
+    if kinds.len() > 1 && kinds.iter().all(|(kind, _)| is_barrier(*kind)) {
+        return Ok(Some(by_form));
+    }
+    if let [(a, first), .., (b, last)] = kinds[..] {
+        let class = object.class.trim();
+        let of = |name: &String| {
+            let what = if name == class { "class" } else { "property" };
+            format!("{what} '{name}'")
+        };
+        let (a, b) = (a.min(b), a.max(b));
+        return Err(format!("{whose} is both {a} and {b}: remove its {} or its {}", of(first), of(last)));
+    }
+    let by_name = || Kind::from_name(&object.name).map(|kind| if is_barrier(kind) { by_form } else { kind });
+    let kind = kinds.first().map(|(kind, _)| *kind).or_else(by_name).or(match says {
         Says::Kind(kind) => Some(kind),
         Says::Solid => Some(by_form),
         Says::Nothing => None,

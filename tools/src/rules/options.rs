@@ -3,6 +3,7 @@
 use tilesat::TileShape;
 
 use super::words::same;
+use crate::fail::Result;
 
 /// Names of tiles are classes, true properties, values of an `IntGrid` (`NAME`, `2`, `LAYER:2`) and
 /// `TILESET:ID`.
@@ -14,6 +15,8 @@ pub struct Options {
     pub flags: Vec<String>,
     /// Layers in which every drawn tile is full.
     pub solid_layers: Vec<String>,
+    /// Layers in which every drawn tile is one-way from above.
+    pub one_way_layers: Vec<String>,
     /// Layers to skip.
     pub ignored_layers: Vec<String>,
     /// Layers whose objects are solid.
@@ -29,6 +32,8 @@ pub struct Options {
     pub weld: Option<i64>,
     /// The level is cut into rooms: it can have any size, and its first cell is at the origin.
     pub rooms: bool,
+    /// The level is one of several: it can have nothing solid, as a menu has.
+    pub bare: bool,
 }
 
 impl Options {
@@ -38,6 +43,7 @@ impl Options {
         self.shapes.extend(other.shapes);
         self.flags.extend(other.flags);
         self.solid_layers.extend(other.solid_layers);
+        self.one_way_layers.extend(other.one_way_layers);
         self.ignored_layers.extend(other.ignored_layers);
         self.objects.extend(other.objects);
         self.ignored_levels.extend(other.ignored_levels);
@@ -45,6 +51,7 @@ impl Options {
         self.scale = other.scale.or(self.scale);
         self.weld = other.weld.or(self.weld);
         self.rooms |= other.rooms;
+        self.bare |= other.bare;
         self
     }
 
@@ -62,6 +69,19 @@ impl Options {
     pub(super) fn is_flag(&self, name: &str) -> bool {
         listed(&self.flags, name)
     }
+}
+
+/// The levels of a file. One of several can have nothing solid, but not all of them: then the first
+/// one with a drawing is refused with its reason, as a single level is.
+pub(crate) fn together<T>(
+    levels: usize,
+    options: &Options,
+    all: impl Fn(&Options) -> Result<T>,
+    is_solid: impl Fn(&T) -> bool,
+) -> Result<T> {
+    let lenient = Options { bare: options.bare || levels > 1, ..options.clone() };
+    let made = all(&lenient)?;
+    if options.bare || is_solid(&made) { Ok(made) } else { all(options) }
 }
 
 /// Whether a list contains this name.

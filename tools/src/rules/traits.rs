@@ -6,7 +6,7 @@ use super::words::plain;
 use super::{doubts, names};
 
 /// The names that make a tile full, and those that make it one-way.
-const FULL: [&str; 6] = ["collision", "solid", "collides", "collidable", "wall", "blocked"];
+const FULL: [&str; 8] = ["collision", "solid", "collide", "collides", "collidable", "collider", "wall", "blocked"];
 const ONE_WAY: &str = "oneway";
 
 /// The trait of a class or of the name of a true property: the shape of a tile, or nothing known.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write;
 
 use super::outline::{LeftOut, Outline, Title};
-use super::words::{COLLISION, GUESS};
+use super::words::{COLLISION, GUESS, LAST};
 use super::{kind::Kind, traits, words};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Placed};
@@ -150,14 +150,17 @@ fn is_set(value: &Value) -> bool {
 
 /// Whether a property of a layer, a group or a map says nothing, or what is solid.
 fn is_rule(name: &str, value: &Value) -> bool {
-    let says = words::has(name, COLLISION) || words::has(name, GUESS) || Kind::from_name(name).is_some();
+    let says = words::has(name, COLLISION)
+        || words::has(name, GUESS)
+        || words::has(name, LAST)
+        || Kind::from_name(name).is_some();
     !is_set(value) || value.is_true() && (says || traits::shape(name).is_some())
 }
 
 /// True properties of tiles are flags or rules.
 fn of_tile(name: &str, value: &Value) -> bool {
     let shape = ["shape", "npp"].iter().any(|known| name.eq_ignore_ascii_case(known));
-    let one = matches!(value, Value::Number(_)) && traits::shape(name).is_some();
+    let one = (matches!(value, Value::Number(_)) || value.is_one()) && traits::shape(name).is_some();
     !is_set(value) || value.is_true() || shape || one
 }
 

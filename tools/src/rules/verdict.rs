@@ -48,7 +48,7 @@ pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meanin
             let kept = |flag: &String| !map.values || options.is_flag(flag);
             meaning.map(|meaning| Meaning { flags: meaning.flags.into_iter().filter(kept).collect(), ..meaning })
         }
-        Placed::Value { layer, number, name } => value(layer, *number, name.as_deref(), options),
+        Placed::Value { layer, number, name } => Ok(value(layer, *number, name.as_deref(), options)),
     }
 }
 
@@ -96,9 +96,14 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
 const SHAPE: &str = "shape";
 const NPP: &str = "npp";
 
-fn value(layer: &str, number: i64, name: Option<&str>, options: &Options) -> Result<Meaning, String> {
+/// The names by which options know a value.
+pub(super) fn names_of_value(layer: &str, number: i64, name: Option<&str>) -> Vec<String> {
     let own = name.into_iter().flat_map(|name| [name.to_owned(), format!("{layer}:{name}")]);
-    let known: Vec<String> = own.chain([number.to_string(), format!("{layer}:{number}")]).collect();
+    own.chain([number.to_string(), format!("{layer}:{number}")]).collect()
+}
+
+fn value(layer: &str, number: i64, name: Option<&str>, options: &Options) -> Meaning {
+    let known = names_of_value(layer, number, name);
     let title = name.map_or_else(|| format!("value {number}"), |name| format!("value '{name}'"));
     let shaped = |rule, shape, flags| {
         let verdict = Verdict {
@@ -110,19 +115,15 @@ fn value(layer: &str, number: i64, name: Option<&str>, options: &Options) -> Res
     };
     if let Some((_, shape)) = options.shape(&known) {
         let flags = known.iter().find(|name| options.is_flag(name)).cloned();
-        return Ok(shaped(Rule::Option, shape, flags.into_iter().collect()));
+        return shaped(Rule::Option, shape, flags.into_iter().collect());
     }
     if let Some(flag) = known.iter().find(|name| options.is_flag(name)) {
-        return Ok(Meaning { verdict: None, flags: vec![name.unwrap_or(flag).to_owned()] });
+        return Meaning { verdict: None, flags: vec![name.unwrap_or(flag).to_owned()] };
     }
-    let Some(name) = name else {
-        return Err(format!(
-            "value {number} of layer '{layer}' has no identifier: name it in LDtk, or add --solid {layer}:{number}, \
-             --one-way {layer}:{number}, --flag {layer}:{number} or --empty {layer}:{number}"
-        ));
-    };
-    Ok(match identifier::meaning(name) {
+    // What a value without an identifier means, its layer decides.
+    let Some(name) = name else { return Meaning::default() };
+    match identifier::meaning(name) {
         Some((rule, shape, flags)) => shaped(rule, shape, flags),
         None => Meaning { verdict: None, flags: vec![name.to_owned()] },
-    })
+    }
 }

@@ -1,12 +1,46 @@
 //! The words in a name, and those that mean a solid.
 
 /// In the name of a layer.
-pub(super) const COLLISION: &[&str] = &["collision", "collider", "solid"];
+pub(super) const COLLISION: &[&str] =
+    &["collision", "collider", "solid", "collide", "collidable", "blocked", "blocking"];
 /// In the name of a layer, if nothing else decides.
 pub(super) const GUESS: &[&str] = &["wall", "ground", "terrain", "platform", "block", "obstacle"];
+/// In the name of a layer or a value, if not even those do. Seen from above, bodies walk on a
+/// floor.
+pub(super) const LAST: &[&str] = &["floor", "boundary", "boundaries"];
 /// In the name of a value of `LDtk`.
 pub(super) const VALUE: &[&str] =
     &["wall", "ground", "terrain", "platform", "block", "obstacle", "dirt", "stone", "rock", "brick", "earth"];
+/// In the name of a value that is not solid even in a layer of collisions.
+const FREE: &[&str] = &[
+    "air",
+    "empty",
+    "none",
+    "nothing",
+    "void",
+    "free",
+    "walkable",
+    "passable",
+    "water",
+    "lava",
+    "acid",
+    "liquid",
+    "ladder",
+    "vine",
+    "rope",
+    "climb",
+    "climbable",
+    "coin",
+    "spike",
+    "hazard",
+    "death",
+    "kill",
+    "trigger",
+    "spawn",
+    "exit",
+    "goal",
+    "checkpoint",
+];
 /// They reverse the meaning of a name.
 const NOT: &[&str] = &["no", "non", "not", "without"];
 
@@ -31,8 +65,29 @@ fn words(name: &str) -> Vec<String> {
 /// Whether a name contains one of the words, or its plural.
 pub(super) fn has(name: &str, list: &[&str]) -> bool {
     let words = words(name);
-    let is = |word: &String| list.iter().any(|known| word == known || word.strip_suffix('s') == Some(known));
-    words.iter().any(is) && !words.iter().any(|word| NOT.contains(&word.as_str()))
+    any(&words, list) && !denies(&words)
+}
+
+/// Whether a name contains the words one way, together or apart.
+pub(super) fn is_one_way(name: &str) -> bool {
+    let words = words(name);
+    let word = |at: usize| words.get(at).map_or("", |word| word.strip_suffix('s').unwrap_or(word));
+    let is = |at: usize| word(at) == "oneway" || word(at) == "one" && word(at + 1) == "way";
+    (0..words.len()).any(is) && !denies(&words)
+}
+
+/// Whether a name says that something is not solid.
+pub(super) fn is_free(name: &str) -> bool {
+    let words = words(name);
+    any(&words, FREE) || denies(&words)
+}
+
+fn any(words: &[String], list: &[&str]) -> bool {
+    words.iter().any(|word| list.iter().any(|known| word == known || word.strip_suffix('s') == Some(known)))
+}
+
+fn denies(words: &[String]) -> bool {
+    words.iter().any(|word| NOT.contains(&word.as_str()))
 }
 
 /// A name without case, hyphens, underscores and spaces.

@@ -89,14 +89,26 @@ fn comments_in_a_document_type() {
     assert!(bake("torn.tmx", &torn).err.contains("the file ends within a comment"));
 }
 
-/// `LDtk` wrote the values in another form once.
+/// Before 0.8, `LDtk` listed only the cells with a value, and numbered values from 0 on.
 #[test]
 fn old_projects() {
-    let new = support::ldtk(&["Full"], 2, 1, "1,0");
-    let old = new.replace(r#""intGridCsv":[1,0]"#, r#""intGrid":[{"coordId":0,"v":0}]"#);
-    let ran = bake("old.ldtk", &old.replacen('{', r#"{"jsonVersion":"0.7.2","#, 1));
+    let new = support::ldtk(&["Empty", "Full"], 2, 1, "1,2");
+    let old = new.replace(r#""intGridCsv":[1,2]"#, r#""intGrid":[{"coordId":1,"v":1},{"coordId":0,"v":0}]"#);
+    let old = old.replace(r#""value":1,"#, "").replace(r#""value":2,"#, "");
+    let level = |text: &str| support::level(&scratch("formats", "old.ldtk", text)).unwrap();
+    assert_eq!(level(&old).tiles, level(&new).tiles);
+    assert!(level(&old).tiles[0] != level(&old).tiles[1]);
+    for (cell, why) in
+        [(r#""coordId":2,"v":0"#, "value 0 in cell 2 of 2"), (r#""coordId":0,"v":-1"#, "value -1 in cell 0")]
+    {
+        let ran = bake("wrong.ldtk", &old.replace(r#""coordId":1,"v":1"#, cell));
+        assert!(ran.status == 2 && ran.err.contains(why), "{ran:?}");
+    }
+    // Neither form.
+    let none = new.replace(r#""intGridCsv":[1,2]"#, r#""x":0"#);
+    let ran = bake("none.ldtk", &none.replacen('{', r#"{"jsonVersion":"0.7.2","#, 1));
     assert!(ran.status == 2 && ran.err.contains("saved by LDtk 0.7.2: open it in a newer one, and save it"), "{ran:?}");
-    assert!(bake("older.ldtk", &old).err.contains("saved by an old LDtk: open it"));
+    assert!(bake("older.ldtk", &none).err.contains("saved by an old LDtk: open it"));
 }
 
 /// What a property is called does not make a map a project.

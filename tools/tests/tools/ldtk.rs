@@ -1,11 +1,12 @@
 //! Layers of `LDtk`: where it draws tiles and entities, and what the report says of them.
 
+use tilesat::{TileKind, TileShape};
 use tilesat_tools::read;
 use tilesat_tools::rules::flags::Flags;
 use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::options::Options;
 
-use crate::support::scratch;
+use crate::support::{run, scratch};
 
 /// A project of one level of 8 x 8 cells of 16 pixels. Its tileset has tiles of this side, and all
 /// of them are solid.
@@ -122,4 +123,160 @@ fn tiles_that_are_not_read_are_noted() {
     let note =
         "layer 'Solid': 1 tiles lie over 8 others in their cells, and are not read; the first is in column 3, row 4";
     assert!(found.notes.iter().any(|line| line.starts_with(note)), "{:?}", found.notes);
+}
+
+/// A level has each layer of its project, drawn or not. Options can name all of them.
+#[test]
+fn options_name_layers_without_tiles() {
+    let grid = layer("IntGrid", (0, 0), &format!(r#""intGridCsv":[{}]"#, ["1"; 64].join(",")));
+    let bare = |form: &str, tileset: &str| {
+        let text = layer(form, (0, 0), r#""gridTiles":[],"autoLayerTiles":[]"#).replace("\"Solid\"", "\"Trees\"");
+        // Of smaller cells, which are no cells of the level.
+        text.replace("\"__tilesetDefUid\":1", tileset).replace("16", "4")
+    };
+    let found = ground("plain", &project(&grid, "", 16));
+    for (form, tileset) in [("Tiles", r#""__tilesetDefUid":1"#), ("AutoLayer", r#""__tilesetDefUid":null"#)] {
+        let text = project(&format!("{},{grid}", bare(form, tileset)), "", 16);
+        assert_eq!(ground("bare", &text), found);
+        for option in ["--ignore-layer", "--solid-layer"] {
+            let ran = run("bake", scratch("ldtk", "bare.ldtk", &text), &format!("--json {option} Trees"));
+            assert_eq!(ran.status, 0, "{ran:?}");
+        }
+    }
+}
+
+/// A project of one level with `IntGrid` layers, from the lowest up: each has a name, values from 1
+/// on with these identifiers (none if empty), and a row of cells.
+fn grids(layers: &[(&str, &[&str], &str)]) -> String {
+    let identifier = |name: &str| if name.is_empty() { "null".to_owned() } else { format!("\"{name}\"") };
+    let definition = |(uid, (_, values, _)): (usize, &(&str, &[&str], &str))| {
+        let values = values
+            .iter()
+            .zip(1..)
+            .map(|(name, value): (_, u32)| format!(r#"{{"value":{value},"identifier":{}}}"#, identifier(name)));
+        format!(r#"{{"uid":{uid},"intGridValues":[{}]}}"#, values.collect::<Vec<_>>().join(","))
+    };
+    let instance = |(uid, (name, _, cells)): (usize, &(&str, &[&str], &str))| {
+        let width = cells.split(',').count();
+        format!(
+            r#"{{"__type":"IntGrid","__identifier":"{name}","__cWid":{width},"__cHei":1,"__gridSize":16,"layerDefUid":{uid},"intGridCsv":[{cells}]}}"#
+        )
+    };
+    format!(
+        r#"{{"defs":{{"layers":[{}]}},"levels":[{{"identifier":"One","layerInstances":[{}]}}]}}"#,
+        layers.iter().enumerate().map(definition).collect::<Vec<_>>().join(","),
+        layers.iter().enumerate().rev().map(instance).collect::<Vec<_>>().join(",")
+    )
+}
+
+/// The cells, `#` full, `=` one-way and `.` empty, with the guesses; or the refusal.
+fn decided(text: &str, options: &Options) -> (String, Vec<String>) {
+    let levels = read::load(&scratch("ldtk", "decided.ldtk", text), None).unwrap();
+    let ground = match Ground::of(&levels.maps[0], options, &mut Flags::default()) {
+        Ok(ground) => ground,
+        Err(fail) => return (String::new(), vec![fail.to_string()]),
+    };
+    let cell = |kind: &TileKind| match kind.shape {
+        TileShape::Full => '#',
+        TileShape::Empty => '.',
+        _ => '=',
+    };
+    let guesses = ground.notes.into_iter().filter(|note| note.starts_with("GUESS: "));
+    (ground.cells.iter().map(cell).collect(), guesses.collect())
+}
+
+/// Identifiers are optional in `LDtk`. Without one, the layer decides.
+#[test]
+fn values_without_an_identifier() {
+    let none = Options::default();
+    let collisions = "GUESS: values 1, 2 of layer 'Collisions' are full because of the layer's name; \
+                      --solid 'Collisions:1' confirms it, --empty 'Collisions:1' refuses it";
+    let walls = "GUESS: value 1 of layer 'Walls' is full because of the layer's name; --solid 'Walls:1' confirms it, \
+                 --empty 'Walls:1' refuses it";
+    let others = "GUESS: value 1 of layer 'Walls', values 1, 3 of layer 'Foliage' have no identifier, and are empty because \
+                  other things are solid; --solid 'Walls:1' makes it full";
+    for (layers, cells, note) in [
+        (&[("Collisions", &["", ""][..], "1,0,2")][..], "#.#", collisions),
+        // Rule d: nothing else is solid.
+        (&[("Walls", &[""], "0,1,0"), ("Foliage", &["", "", ""], "1,0,3")], ".#.", walls),
+        (&[("Walls", &[""], "0,1,0"), ("Foliage", &["", "", ""], "1,0,3"), ("G", &["Full"], "1,0,0")], "#..", others),
+    ] {
+        let (found, notes) = decided(&grids(layers), &none);
+        assert_eq!(found, cells, "{notes:?}");
+        assert!(notes.iter().any(|line| line == note), "{note} is not in {notes:?}");
+    }
+    // Refused only if nothing is solid: all of them at once, with what settles it.
+    let (_, notes) = decided(&grids(&[("A", &["", ""], "1,0,2"), ("B", &[""], "0,1,0")]), &none);
+    let why = "values 1, 2 of layer 'A', value 1 of layer 'B' have no identifier: name them in LDtk, or add --solid A:1, \
+               --one-way A:1, --flag A:1 or --empty A:1";
+    assert!(notes[0].contains(why), "{notes:?}");
+}
+
+/// In a layer of collisions all values are solid if no other name says more.
+#[test]
+fn names_without_a_meaning_in_a_layer_of_collisions() {
+    let none = Options::default();
+    let layer = |names: &[&str], cells: &str| decided(&grids(&[("Collisions", names, cells)]), &none);
+    let (cells, notes) = layer(&["grass", "one", "water", "no_collision"], "1,2,3,4,0");
+    assert_eq!(cells, "##...", "{notes:?}");
+    let note = "GUESS: values 1 'grass', 2 'one' of layer 'Collisions' are full because of the layer's name; \
+                --solid 'Collisions:1' confirms it";
+    assert!(notes[0].starts_with(note), "{notes:?}");
+    // Rule d, the last words: a value's own name.
+    let (cells, notes) = decided(&grids(&[("G", &["wood_floor", "sky"], "1,2")]), &none);
+    let note = "GUESS: value 1 'wood_floor' of layer 'G' is full because of its name; --solid 'G:1' confirms it";
+    assert!(cells == "#." && notes[0].starts_with(note), "{notes:?}");
+    assert_eq!(decided(&grids(&[("G", &["floor", "wall"], "1,2")]), &none), (".#".to_owned(), Vec::new()));
+    let (cells, notes) = decided(&grids(&[("OneWay", &[""], "1,0"), ("G", &["Full"], "0,1")]), &none);
+    assert!(
+        cells == "=#" && notes[0].contains("is one-way-up") && notes[0].contains("--one-way 'OneWay:1'"),
+        "{notes:?}"
+    );
+    // As before, a name that means a solid leaves the others alone.
+    assert_eq!(layer(&["grass", "wall"], "1,2,0"), (".#.".to_owned(), Vec::new()));
+    assert_eq!(layer(&["water"], "1").0, "");
+    let flag = Options { flags: vec!["grass".to_owned()], ..Options::default() };
+    assert_eq!(decided(&grids(&[("Collisions", &["grass", "one"], "1,2")]), &flag).0, ".#");
+}
+
+/// Options come first: a value without an identifier needs none.
+#[test]
+fn options_decide_about_values() {
+    let text = grids(&[("Collisions", &["", "", ""], "1,2,3,0"), ("Fog", &[""], "1,1,1,1")]);
+    let solid = |layers: &[&str], empty: &[&str], flags: &[&str]| {
+        let names = |list: &[&str]| list.iter().map(|&name| name.to_owned()).collect::<Vec<String>>();
+        let shapes = names(empty).into_iter().map(|name| (name, TileShape::Empty)).collect();
+        let options = Options { solid_layers: names(layers), shapes, flags: names(flags), ..Options::default() };
+        decided(&text, &options)
+    };
+    let fog = "GUESS: value 1 of layer 'Fog' has no identifier, and is empty because other things are solid";
+    let (cells, notes) = solid(&["Collisions"], &[], &[]);
+    assert!(cells == "###." && notes.len() == 1 && notes[0].starts_with(fog), "{cells} {notes:?}");
+    assert_eq!(solid(&["Collisions"], &["Fog:1"], &[]), ("###.".to_owned(), Vec::new()));
+    assert_eq!(solid(&["Collisions"], &["Fog:1", "2"], &[]).0, "#.#.");
+    let (cells, notes) = solid(&[], &["Fog:1"], &["Collisions:3"]);
+    assert!(cells == "##.." && notes.len() == 1 && notes[0].contains("values 1, 2 of"), "{cells} {notes:?}");
+}
+
+#[test]
+fn projects_without_levels() {
+    for (text, why) in [
+        (r#"{"defs":{"layers":[]},"levels":[]}"#, "a project of LDtk without levels: add one"),
+        ("{}", "not an LDtk project: it has no levels"),
+    ] {
+        let fail = read::load(&scratch("ldtk", "none.ldtk", text), None).unwrap_err().to_string();
+        assert!(fail.ends_with(why), "{fail}");
+    }
+}
+
+/// Tiles over each other are several layers here, and one layer for their author.
+#[test]
+fn a_guess_about_a_layer_is_said_once() {
+    let tiles = [r#"{"px":[48,64],"src":[0,0],"f":0,"t":1}"#; 3].join(",");
+    let layer = layer("Tiles", (0, 0), &format!(r#""gridTiles":[{tiles}]"#)).replace("Solid", "Ground");
+    let found = ground("pile", &project(&layer, "", 16).replace("Solid", "Grass"));
+    assert_eq!(found.notes.iter().filter(|note| note.starts_with("GUESS")).count(), 1, "{:?}", found.notes);
+    let refused = project(&layer.replace("Ground", "Trees"), "", 16).replace("Solid", "Grass");
+    let ran = run("bake", scratch("ldtk", "pile.ldtk", refused), "--json");
+    assert!(ran.err.contains("the tile layer is 'Trees' (3 tiles): add --solid-layer 'Trees'"), "{ran:?}");
 }

@@ -244,7 +244,7 @@ fn classes_of_a_project() {
     // The class is for something else.
     fs::write(home.join("g.tiled-project"), project(&["layer"])).unwrap();
     let ran = run("bake", &path, "--json");
-    assert!(ran.status == 2 && ran.err.contains("names of tiles are 'Brick'"), "{ran:?}");
+    assert!(ran.status == 2 && ran.err.contains("the name of tiles is 'Brick'"), "{ran:?}");
 }
 
 #[test]

@@ -166,7 +166,7 @@ fn bad_maps() {
                 "<polygon",
                 "<properties><property name=\"Solid\" type=\"bool\" value=\"true\"/></properties><polygon",
             ),
-            "object 7 is both solid and hole",
+            "object 7 is both solid and hole: remove its class 'Hole' or its property 'Solid'",
         ),
         ("offset", change("name=\"L\"", "name=\"L\" offsetx=\"far\""), "offsetx is 'far', not a number"),
         ("isometric", change("orthogonal", "isometric"), "isometric"),

@@ -244,3 +244,24 @@ fn hidden_objects() {
     let levels = notes("shown.tmx", &open);
     assert_eq!(bake(&levels.maps, &Settings::default()).unwrap().levels[0].ground.notes, [""; 0]);
 }
+
+/// Authors mark one barrier in two ways: a class for the editor, a property for the engine.
+#[test]
+fn solid_and_wall_are_synonyms() {
+    let wall = |property: &str, form: &str| {
+        let marks = format!(r#"<properties><property name="{property}" type="bool" value="true"/></properties>"#);
+        let text = objects(&format!(r#"<object id="1" type="Wall" x="16" y="16" {form}{marks}</object>"#));
+        drawing("synonyms", &text.replace("name=\"L\" class=\"Solid\"", "name=\"L\"")).outlines
+    };
+    for property in ["solid", "collides", "Collidable"] {
+        let [outline] = &wall(property, r#"width="8" height="8">"#)[..] else { panic!("{property}") };
+        assert_eq!((outline.kind, outline.closed, &outline.flags[..]), (Kind::Solid, true, &[][..]), "{property}");
+        let [outline] = &wall(property, r#"><polyline points="0,0 9,9"/>"#)[..] else { panic!("{property}") };
+        assert_eq!((outline.kind, outline.closed), (Kind::Wall, false), "{property}");
+    }
+    let hole = r#"<object id="1" type="Hole" width="8" height="8"><properties><property name="solid" type="bool" value="true"/></properties></object>"#;
+    let levels = load(&scratch("objects", "hole.tmx", objects(hole)), None).unwrap();
+    let why = Ground::of(&levels.maps[0], &Options::default(), &mut Flags::default()).unwrap_err().to_string();
+    let fix = "object 1 is both solid and hole: remove its class 'Hole' or its property 'solid'";
+    assert!(why.contains(fix), "{why}");
+}

@@ -186,7 +186,6 @@ fn bad_files() {
             "names of tiles are 'Kill', 'Plank', 'Soup': add --solid NAME",
         ),
         ("no_room", map(3, 3, 8, &solid), "no room"),
-        ("ninth", map(12, 1, 8, "1,3,4,5,6,7,8,9,10,11,0,0"), "'H' would be the ninth flag"),
         (
             "no_tileset",
             small

@@ -66,7 +66,14 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
         .flat_map(|world| world.levels.iter().map(|level| name(&world.identifier, &level.identifier)))
         .collect();
     if names.is_empty() {
-        return Err("not an LDtk project: it has no levels".to_owned());
+        // A file of another program has no definitions, either.
+        let is_project = json::keys(bytes).iter().any(|key| *key == b"defs");
+        let why = if is_project {
+            "a project of LDtk without levels: add one"
+        } else {
+            "not an LDtk project: it has no levels"
+        };
+        return Err(why.to_owned());
     }
     if let Some(wanted) = level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
@@ -183,9 +190,15 @@ impl Reader<'_> {
                 let set = Set { index, side: own.unwrap_or(side.into()) };
                 read.extend(tiles::read(layer, set, (definition, MAX_CELLS), &mut palette, &mut notes));
             }
+            if read.len() == before {
+                // Without tiles. Options can name it all the same.
+                let none = Content::Tiles(Tiles { tile: side, ..Tiles::default() });
+                read.push(Layer::plain(&layer.name, (layer.x.into(), layer.y.into()), none));
+            }
             show(&mut read[before..], layer, definition);
         }
-        let sides = read.iter().filter_map(|layer| layer.tiles().map(|tiles| tiles.tile));
+        let drawn = read.iter().filter_map(Layer::tiles).filter(|tiles| !tiles.cells.is_empty());
+        let sides = drawn.map(|tiles| tiles.tile);
         let tile = tile.or_else(|| sides.min()).unwrap_or(16);
         let plane = (world.unwrap_or(0), level.world_depth);
         let place = Place { x: level.world_x, y: level.world_y, width: level.px_wid, height: level.px_hei, plane };
@@ -230,19 +243,27 @@ impl Reader<'_> {
 
     fn values(&self, layer: &raw::Layer, tile: u16, palette: &mut Palette) -> Result<Layer> {
         let (width, height) = (layer.width.0 as u32, layer.height.0 as u32);
-        if layer.values.len() as u64 != u64::from(width) * u64::from(height) {
-            // Before intGridCsv, LDtk listed only the cells with a value.
-            if layer.values.is_empty() {
-                return Err(self.too_old("it has no intGridCsv"));
+        let count = u64::from(width) * u64::from(height);
+        let mut spread = Vec::new();
+        let values = match &layer.sparse {
+            Some(cells) if layer.values.is_empty() => {
+                spread.resize(count as usize, 0);
+                for cell in cells {
+                    let place = spread.get_mut(cell.coord_id).filter(|_| cell.v >= 0);
+                    *place.ok_or_else(|| format!("value {} in cell {} of {count}", cell.v, cell.coord_id))? =
+                        cell.v.saturating_add(1);
+                }
+                &spread
             }
-            return Err(format!(
-                "{} values for {width}x{height} cells: save the project again in LDtk",
-                layer.values.len()
-            ));
+            None if layer.values.is_empty() && count > 0 => return Err(self.too_old("it has no intGridCsv")),
+            _ => &layer.values,
+        };
+        if values.len() as u64 != count {
+            return Err(format!("{} values for {width}x{height} cells: save the project again in LDtk", values.len()));
         }
-        let mut cells = Vec::with_capacity(layer.values.len());
+        let mut cells = Vec::with_capacity(values.len());
         let mut last = (0, 0);
-        for &value in &layer.values {
+        for &value in values {
             if value != last.0 {
                 last = (value, if value == 0 { 0 } else { self.value(layer, value.into(), palette)? });
             }
@@ -261,8 +282,9 @@ impl Reader<'_> {
         let definition = self.definitions.layers.iter().find(|definition| definition.uid == uid);
         let definition =
             definition.ok_or_else(|| format!("defs.layers has no uid {uid}: save the project again in LDtk"))?;
-        let named = definition.values.iter().find(|named| named.value == number);
-        let name = named.and_then(|named| named.identifier.clone()).filter(|name| !name.is_empty());
+        let mut values = definition.values.iter().zip(1..);
+        let named = values.find(|(named, position)| number == if named.value == 0 { *position } else { named.value });
+        let name = named.and_then(|(named, _)| named.identifier.clone()).filter(|name| !name.is_empty());
         let place = palette.all.len() as u32;
         palette.all.push(Placed::Value { layer: layer.name.clone(), number, name });
         palette.values.insert((layer.name.clone(), number), place);

@@ -49,6 +49,7 @@ pub(super) struct LayerDefinition {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Named {
+    /// 0 before 0.8: values have the numbers of their positions.
     pub(super) value: i64,
     pub(super) identifier: Option<String>,
 }
@@ -116,12 +117,23 @@ pub(super) struct Layer {
     pub(super) definition: i64,
     #[serde(rename = "intGridCsv")]
     pub(super) values: Vec<i32>,
+    /// Before 0.8, only the cells with a value.
+    #[serde(rename = "intGrid")]
+    pub(super) sparse: Option<Vec<Cell>>,
     #[serde(rename = "gridTiles")]
     pub(super) tiles: Vec<Tile>,
     #[serde(rename = "autoLayerTiles")]
     pub(super) auto: Vec<Tile>,
     #[serde(rename = "entityInstances")]
     pub(super) entities: Vec<Entity>,
+}
+
+/// A cell by its number, and its value: the first one is 0.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct Cell {
+    pub(super) coord_id: usize,
+    pub(super) v: i32,
 }
 
 #[derive(Debug, Default, Deserialize)]

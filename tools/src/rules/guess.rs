@@ -1,0 +1,199 @@
+//! The meaning of what nothing else marks: of a level without anything solid, and of values of
+//! `LDtk` without an identifier. The words in the names of layers decide. Each guess is a note with
+//! the options that settle it.
+
+use tilesat::TileShape;
+
+use super::cells::Sheet;
+use super::layers::Layers;
+use super::options::Options;
+use super::report::Rule;
+use super::verdict::{self, Solid};
+use super::words::{self, COLLISION, GUESS, LAST};
+use crate::model::map::{Layer, Map, Placed};
+
+/// Words in the names of layers, the surest first. The next ones count if nothing is solid so far.
+/// Of a layer of collisions, only named values of `LDtk` are left: their own names come first.
+pub(super) const STEPS: [&[&str]; 3] = [COLLISION, GUESS, LAST];
+
+/// The most values that a line names.
+const MOST: usize = 12;
+
+/// Values of a layer: their numbers, and their identifiers.
+pub(super) struct Values<'a> {
+    layer: &'a str,
+    all: Vec<(i64, Option<&'a str>)>,
+}
+
+impl<'a> Values<'a> {
+    fn of(layer: &'a Layer) -> Self {
+        Self { layer: &layer.name, all: Vec::new() }
+    }
+
+    /// `values 1 'grass', 2 of layer 'G'`.
+    fn shown(&self) -> String {
+        let name = |(number, name): &(i64, Option<&str>)| match name {
+            Some(name) => format!("{number} '{name}'"),
+            None => number.to_string(),
+        };
+        let mut names: Vec<String> = self.all.iter().take(MOST).map(name).collect();
+        if self.all.len() > MOST {
+            names.push(format!("{} more", self.all.len() - MOST));
+        }
+        let word = if self.all.len() == 1 { "value" } else { "values" };
+        format!("{word} {} of layer '{}'", names.join(", "), self.layer)
+    }
+
+    /// All of them, and the verb for it.
+    fn listed(all: &[Self]) -> (String, bool) {
+        let one = matches!(all, [only] if only.all.len() == 1);
+        (all.iter().map(Self::shown).collect::<Vec<_>>().join(", "), one)
+    }
+
+    /// The first one, as an option names it.
+    fn first(&self) -> String {
+        format!("{}:{}", self.layer, self.all.first().map_or(0, |(number, _)| *number))
+    }
+}
+
+impl Layers<'_> {
+    /// Makes the undecided tiles and values of a layer full, if its name has one of these words. Or
+    /// only those values whose own names have one.
+    pub(super) fn guess(&mut self, sheet: &mut Sheet<'_>, list: &[&str]) {
+        let layer = sheet.layer;
+        let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).any(|name| words::has(name, list));
+        if sheet.tiles.derived || is_skipped(layer, self.options) {
+            return;
+        }
+        let (mut count, mut values) = (0, Values::of(layer));
+        for &(entry, times) in &sheet.used {
+            if sheet.pieces.contains_key(&entry) {
+                continue;
+            }
+            if let Placed::Value { number, name, .. } = &self.map.palette[entry as usize] {
+                let known = verdict::names_of_value(&layer.name, *number, name.as_deref());
+                let fits = match name.as_deref() {
+                    None => says,
+                    Some(name) => says && list == COLLISION && !words::is_free(name) || words::has(name, list),
+                };
+                if !fits || known.iter().any(|name| self.options.is_flag(name)) {
+                    continue;
+                }
+                values.all.push((*number, name.as_deref()));
+            } else if !says {
+                continue;
+            }
+            count += times;
+            let piece = self.piece(entry, Solid::Shape(TileShape::Full), sheet.tiles.tile);
+            sheet.pieces.insert(entry, piece);
+        }
+        if count == 0 {
+            return;
+        }
+        let rule = if list == COLLISION { Rule::C } else { Rule::D };
+        self.ledger.add(rule, &format!("layer '{}' is full", layer.name), count);
+        if !says {
+            self.assumed(&values, "full", if values.all.len() == 1 { "its name" } else { "their names" });
+        } else if values.all.is_empty() {
+            self.guessed(&layer.name, &format!("--solid-layer '{}'", layer.name));
+        } else {
+            self.assumed(&values, "full", "the layer's name");
+        }
+    }
+
+    /// Notes the layers whose names would have counted if the words before them had not.
+    pub(super) fn passed_over(&mut self, sheets: &[Sheet<'_>], list: &[&str]) {
+        if list != LAST {
+            return;
+        }
+        for sheet in sheets.iter().filter(|sheet| !sheet.used.is_empty() && sheet.pieces.is_empty()) {
+            let name = &sheet.layer.name;
+            if words::has(name, list) && !sheet.tiles.derived {
+                self.note(format!(
+                    "GUESS: layer '{name}' is not solid, because a surer name of a layer is; --solid-layer '{name}' makes it solid"
+                ));
+            }
+        }
+    }
+
+    /// Notes a guess by the name of a layer.
+    pub(super) fn guessed(&mut self, layer: &str, option: &str) {
+        self.note(format!(
+            "GUESS: nothing marks solid tiles, so layer '{layer}' is solid because of its name; {option} confirms it, --ignore-layer '{layer}' refuses it"
+        ));
+    }
+
+    /// Notes the values that have this shape because of a name.
+    fn assumed(&mut self, values: &Values<'_>, shape: &str, whose: &str) {
+        let (shown, first) = (values.shown(), values.first());
+        let are = if values.all.len() == 1 { "is" } else { "are" };
+        let option = if shape == "full" { "solid" } else { "one-way" };
+        self.note(format!(
+            "GUESS: {shown} {are} {shape} because of {whose}; --{option} '{first}' confirms it, --empty '{first}' refuses it"
+        ));
+    }
+
+    /// A layer of `LDtk` with tiles over each other is several layers here, of one note.
+    fn note(&mut self, note: String) {
+        if !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
+    }
+
+    /// Notes the values without an identifier that have a shape because of the name of their layer.
+    pub(super) fn assume(&mut self, sheet: &Sheet<'_>, entries: &[u32], shape: &str) {
+        let mut values = Values::of(sheet.layer);
+        for entry in entries {
+            if let Placed::Value { number, .. } = &self.map.palette[*entry as usize] {
+                values.all.push((*number, None));
+            }
+        }
+        if !values.all.is_empty() {
+            self.assumed(&values, shape, "the layer's name");
+        }
+    }
+
+    /// Notes the values that are empty because they have no identifier and other things are solid.
+    pub(super) fn undecided(&mut self, sheets: &[Sheet<'_>]) {
+        let all = undecided(self.map, sheets, self.options);
+        if let Some(first) = all.first().map(Values::first) {
+            let (shown, one) = Values::listed(&all);
+            let (have, are) = if one { ("has", "is") } else { ("have", "are") };
+            self.note(format!(
+                "GUESS: {shown} {have} no identifier, and {are} empty because other things are solid; --solid '{first}' makes it full"
+            ));
+        }
+    }
+}
+
+/// The drawn values without an identifier that no option and no rule decides.
+fn undecided<'a>(map: &'a Map, sheets: &[Sheet<'a>], options: &Options) -> Vec<Values<'a>> {
+    let of_sheet = |sheet: &Sheet<'a>| {
+        let mut values = Values::of(sheet.layer);
+        for (entry, _) in &sheet.used {
+            let is_decided = sheet.pieces.contains_key(entry) || sheet.flags.contains_key(entry);
+            if let (Placed::Value { number, name: None, .. }, false) = (&map.palette[*entry as usize], is_decided) {
+                values.all.push((*number, None));
+            }
+        }
+        values
+    };
+    let sheets = sheets.iter().filter(|sheet| !is_skipped(sheet.layer, options));
+    sheets.map(of_sheet).filter(|values| !values.all.is_empty()).collect()
+}
+
+/// The advice about values without an identifier, if nothing is solid.
+pub(super) fn advice(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Option<String> {
+    let all = undecided(map, sheets, options);
+    let first = all.first()?.first();
+    let (shown, one) = Values::listed(&all);
+    let (have, them) = if one { ("has", "it") } else { ("have", "them") };
+    Some(format!(
+        "{shown} {have} no identifier: name {them} in LDtk, or add --solid {first}, --one-way {first}, --flag {first} or --empty {first}"
+    ))
+}
+
+/// Whether the user looks for solids in another layer only.
+pub(super) fn is_skipped(layer: &Layer, options: &Options) -> bool {
+    options.layer.as_ref().is_some_and(|name| *name != layer.name)
+}
