@@ -347,7 +347,7 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Grid
 /// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once per map;
 /// mostly in the compiler.
 const fn magic(cell: u32) -> (u32, u32) {
-    let log = 31 - cell.leading_zeros();
+    let log = cell.ilog2();
     if cell.is_power_of_two() {
         return (0, log);
     }

@@ -188,7 +188,7 @@ impl<'a> SegmentMap<'a> {
 
     /// The index of a cell in the tables.
     const fn place(&self, x: i32, y: i32) -> Option<usize> {
-        if x as u32 >= self.grid.x.count as u32 || y as u32 >= self.grid.y.count as u32 {
+        if x as u32 >= self.grid.x.count || y as u32 >= self.grid.y.count {
             return None;
         }
         // Below 2^30.

@@ -179,7 +179,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
     #[inline]
     pub(in crate::world) const fn holds(&self, x: i32, y: i32) -> bool {
-        (x as u32) < self.grid.x.count as u32 && (y as u32) < self.grid.y.count as u32
+        (x as u32) < self.grid.x.count && (y as u32) < self.grid.y.count
     }
 
     /// The id of a tile of the map.

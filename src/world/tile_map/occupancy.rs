@@ -25,15 +25,15 @@ impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     }
 
     const fn words_a_row(&self) -> u32 {
-        (self.grid.x.count as u32).div_ceil(32)
+        self.grid.x.count.div_ceil(32)
     }
 
     const fn words_an_area_row(&self) -> u32 {
-        (self.grid.x.count as u32).div_ceil(32 << AREA_LOG)
+        self.grid.x.count.div_ceil(32 << AREA_LOG)
     }
 
     const fn area_rows(&self) -> u32 {
-        (self.grid.y.count as u32).div_ceil(1 << AREA_LOG)
+        self.grid.y.count.div_ceil(1 << AREA_LOG)
     }
 
     /// Writes one bit per tile, set if its shape is not empty: bit `x % 32` of word `x / 32` of
@@ -168,7 +168,7 @@ impl<'a, S: ShapeSet, T: Store> TileMap<'a, S, T> {
     /// The bits of up to 32 areas, by those of their tiles.
     #[expect(clippy::indexing_slicing, reason = "behind a comparison with the length")]
     const fn area_word(&self, tiles: &[u32], number: u32) -> u32 {
-        let (stride, rows, a_row) = (self.words_a_row(), self.grid.y.count as u32, self.words_an_area_row());
+        let (stride, rows, a_row) = (self.words_a_row(), self.grid.y.count, self.words_an_area_row());
         let (Some(row), Some(first)) = (number.checked_div(a_row), number.checked_rem(a_row)) else { return 0 };
         let (mut y, mut areas) = (row << AREA_LOG, 0);
         while y < rows && y < (row + 1) << AREA_LOG {

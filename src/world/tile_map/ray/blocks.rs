@@ -189,7 +189,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// stands for a band.
     #[inline]
     fn divided(&self, e: i64) -> Option<(i32, bool)> {
-        let (cell, log) = (self.grid.cell as u32, (self.grid.log & 31) as u32);
+        let (cell, log) = (self.grid.cell as u32, self.grid.log & 31);
         if self.grid.magic == 0 {
             let q = e >> log;
             let even = e as u32 & cell.wrapping_sub(1) == 0;

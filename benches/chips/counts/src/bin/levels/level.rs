@@ -2,8 +2,8 @@
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Moved, Mover};
-use tilesat::{Aabb, Axis, Circle, RangeError, Vec2};
-use tilesat::{Inside, RayHit, TileKind, TileKinds, TileMap};
+use tilesat::{Aabb, Axis, Circle, Fx, Grid, RangeError, Slopes, Vec2};
+use tilesat::{Inside, RayHit, TileKind, TileKinds, TileMap, TileMapError};
 use tilesat_counts::inputs::{Random, UNIT, circle, vec};
 use tilesat_counts::measure::{Query, Table, load};
 
@@ -42,9 +42,29 @@ pub fn rows(table: &mut Table) {
         table.wrong += 1;
         return;
     };
+    door(table);
     rays(table, map);
     boxes(table, map);
     circles(table, map);
+}
+
+/// The map made again from its bytes, as after a door has opened.
+fn door(table: &mut Table) {
+    const GRID: Grid = match Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO) {
+        Ok(grid) => grid,
+        Err(_) => panic!("the grid is wrong"),
+    };
+    type Made = Result<TileMap<'static, Slopes>, TileMapError>;
+    let make: Query<&'static [u8], (), Made> = |tiles, ()| MaybeUninit::new(TileMap::of(tiles, GRID, &KINDS));
+    let next = |_: &mut Random| Some((TILES.as_slice(), ()));
+    table.row(
+        "a map of a constant grid, made again",
+        Some((30, 30)),
+        make,
+        |_, ()| load::<_, _, _, 2, 0>,
+        next,
+        Result::is_ok,
+    );
 }
 
 fn rays(table: &mut Table, map: TileMap<'static>) {
