@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::error::TileMapError;
 use crate::error::Quantity;
-use crate::num::{DOMAIN, Fx, Raw, SPLIT, Vec2, umul};
+use crate::num::{DOMAIN, Fx, Raw, SPLIT, Vec2, leading_zeros32, umul};
 use crate::shape::Aabb;
 
 /// The cells of a map: how many, how large, and where.
@@ -347,7 +347,7 @@ const fn span(origin: i32, count: u16, cell: i32, what: Quantity) -> Result<Grid
 /// The multiplier of [`Grid::quotient`] and the log2, for `2^8 <= cell <= 2^24`. Runs once per map;
 /// mostly in the compiler.
 const fn magic(cell: u32) -> (u32, u32) {
-    let log = cell.ilog2();
+    let log = 31 - leading_zeros32(cell);
     if cell.is_power_of_two() {
         return (0, log);
     }
