@@ -59,7 +59,7 @@ fn door(table: &mut Table) {
     let next = |_: &mut Random| Some((TILES.as_slice(), ()));
     table.row(
         "a map of a constant grid, made again",
-        Some((30, 30)),
+        Some((40, 40)),
         make,
         |_, ()| load::<_, _, _, 2, 0>,
         next,
