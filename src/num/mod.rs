@@ -92,6 +92,10 @@ pub type Fx = fixed::types::I16F16;
 /// ```
 ///
 /// ```compile_fail
+/// let two_signs = tilesat::fx!(--5);
+/// ```
+///
+/// ```compile_fail
 /// let text = tilesat::fx!("0.25");
 /// ```
 ///
@@ -130,8 +134,9 @@ pub const fn literal(text: &str) -> Fx {
         Ok(size) => fixed::types::I48F16::lit(size).to_bits(),
         Err(_) => i64::MAX,
     };
+    // The compiler evaluates it: no program holds these panics.
+    assert!(!negative || value >= 0, "fx! takes one sign");
     let value = if negative { value.wrapping_neg() } else { value };
-    // The compiler evaluates it: no program holds this panic.
     assert!(value == value as i32 as i64, "fx! takes a number from -32768 to below 32768");
     Fx::from_bits(value as i32)
 }

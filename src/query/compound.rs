@@ -1,6 +1,6 @@
 //! The verbs of compounds: their bounding boxes first, then their parts.
 
-use super::cast::kernel::{CastHit, Course, Enter, Inside, Moment, in_domain};
+use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside, Moment};
 use super::cast::{CastShape, share};
 use super::closest::{ClosestPoint, Distance};
 use super::contact::{Contact, Contacts};
@@ -147,7 +147,7 @@ impl<S: Single + ClosestPoint<B> + Distance<B>, B: Extent, const M: usize> Close
     }
 }
 
-in_domain!([S: Single, const M: usize] Compound<S, M>);
+impl<S: Single, const M: usize> InDomain for Compound<S, M> {}
 
 impl<S: Single + Enter<B>, B: Extent, const M: usize> Enter<B> for Compound<S, M> {
     type Moment = S::Moment;

@@ -9,7 +9,7 @@ use crate::query::{
     CastShape, ClosestPoint, Contact, Contacts, Contains, Course, Distance, Enter, InDomain, Manifold, Manifolds,
     Moment, Overlaps, Touches,
 };
-use crate::shape::kernel::Extent;
+use crate::shape::kernel::{Extent, Movable};
 use crate::shape::{Aabb, AnyShape, Capsule, Circle, Compound, ConvexPolygon, OrientedBox, Segment, Single};
 
 /// A verb with a set as A.
@@ -149,9 +149,11 @@ macro_rules! set {
             }
         }
 
-        impl InDomain for $set {
-            fn after(&self, motion: Vec2) -> Result<Self, RangeError> {
-                self.translated(motion)
+        impl InDomain for $set {}
+
+        impl Movable for $set {
+            fn moved(&self, by: Vec2) -> Result<Self, RangeError> {
+                self.translated(by)
             }
         }
 

@@ -42,8 +42,8 @@ pub(crate) mod kernel {
         fn extent(&self) -> Aabb;
     }
 
-    /// A shape that may be a part.
-    pub trait Movable: Extent + Copy {
+    /// A shape with a position.
+    pub trait Movable: Copy {
         /// # Errors
         /// [`RangeError`] if it would leave the domain.
         fn moved(&self, by: Vec2) -> Result<Self, RangeError>;
@@ -51,7 +51,7 @@ pub(crate) mod kernel {
 }
 
 /// A shape that may be a part of a [`Compound`]: any shape but a compound. Sealed.
-pub trait Single: kernel::Movable {}
+pub trait Single: kernel::Movable + kernel::Extent {}
 
 macro_rules! single {
     ($([$($n:tt)*] $shape:ty),*) => {$(
@@ -163,6 +163,12 @@ impl<S: Single, const M: usize> Compound<S, M> {
     /// This shape moved by a displacement that keeps it inside the domain.
     pub(crate) fn shifted(&self, by: Raw) -> Self {
         self.translated(by.vec2()).unwrap_or(*self)
+    }
+}
+
+impl<S: Single, const M: usize> kernel::Movable for Compound<S, M> {
+    fn moved(&self, by: Vec2) -> Result<Self, RangeError> {
+        self.translated(by)
     }
 }
 

@@ -1,18 +1,14 @@
 //! What a fast body overlaps pushes it out, also from below. Slow balls sink into others.
 
-use super::steps::{Swept, step_with};
+use super::steps::{Swept, open, step_with};
 use tilesat::broad::SortSweep;
 use tilesat::query::Contacts;
 use tilesat::scene::{Reply, SceneBody, Shape};
-use tilesat::{Aabb, Circle, Fx, TileKinds, TileMap, Vec2, fx};
+use tilesat::{Aabb, Circle, Fx, Vec2, fx};
 
 fn rect(x: Fx, y: Fx, w: i16, h: i16) -> Aabb {
     let min = Vec2::new(x, y);
     Aabb::new(min, min + Vec2::from_ints(w, h)).unwrap()
-}
-
-fn open() -> TileMap<'static> {
-    TileMap::new(&[b'.'; 144], 12, 12, &TileKinds::EMPTY).unwrap()
 }
 
 fn step(scene: &mut Swept, gravity: Vec2) {

@@ -1,10 +1,11 @@
 //! Piles of crates on lifts: awake or not, in a cart, and on lifts that are faster than a crate is
 //! high.
 
+use super::steps::open;
 use tilesat::broad::SortSweep;
 use tilesat::motion::Ride;
 use tilesat::scene::{SceneBody, SceneTag};
-use tilesat::{Aabb, Circle, Fx, Joined, Scene, Solid, Solids, TileKinds, TileMap, Vec2, fx};
+use tilesat::{Aabb, Circle, Fx, Joined, Scene, Solid, Solids, Vec2, fx};
 use tilesat_judge::scenes::BODIES;
 use tilesat_judge::solids::{P, raw};
 
@@ -18,10 +19,6 @@ fn rect(x: i16, y: i16, w: i16, h: i16) -> Aabb {
 
 fn units(n: i16) -> i64 {
     i64::from(n) << 16
-}
-
-fn open() -> TileMap<'static> {
-    TileMap::new(&[b'.'; 144], 12, 12, &TileKinds::EMPTY).unwrap()
 }
 
 fn step(scene: &mut Crates, solids: &[Solid]) {

@@ -3,11 +3,16 @@
 
 use tilesat::broad::{Pair, SortSweep};
 use tilesat::scene::{Reply, SceneBody, SceneError, SceneEvent, SceneTag, Stepped};
-use tilesat::{Scene, TileMap, Vec2};
+use tilesat::{Scene, TileKinds, TileMap, Vec2};
 use tilesat_judge::scenes::BODIES;
 
 /// The scene of most tests.
 pub(super) type Swept = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
+
+/// A level without a solid.
+pub(super) fn open() -> TileMap<'static> {
+    TileMap::new(&[b'.'; 144], 12, 12, &TileKinds::EMPTY).unwrap()
+}
 
 /// [`Scene::step_with`], among blocks.
 pub(super) fn step_with(

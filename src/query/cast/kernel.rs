@@ -3,6 +3,7 @@
 
 use crate::error::RangeError;
 use crate::num::{Axis, Raw, Toi, Vec2, check_coordinate};
+use crate::shape::kernel::Movable;
 use crate::shape::{Aabb, Circle, Segment};
 
 /// The boundary that a motion meets, and when: decided, not yet computed.
@@ -85,14 +86,6 @@ pub trait InDomain {
     fn check(&self) -> Result<(), RangeError> {
         Ok(())
     }
-
-    /// The shape after a motion.
-    ///
-    /// # Errors
-    /// [`RangeError`] if it is outside the domain there.
-    fn after(&self, motion: Vec2) -> Result<Self, RangeError>
-    where
-        Self: Sized;
 }
 
 /// A moving shape and the shape that it is cast against.
@@ -141,28 +134,18 @@ impl InDomain for Vec2 {
     fn check(&self) -> Result<(), RangeError> {
         check_coordinate(*self)
     }
+}
 
-    fn after(&self, motion: Vec2) -> Result<Self, RangeError> {
-        let end = Raw::of(*self).add(Raw::of(motion)).vec2();
+impl Movable for Vec2 {
+    fn moved(&self, by: Vec2) -> Result<Self, RangeError> {
+        let end = Raw::of(*self).add(Raw::of(by)).vec2();
         end.check().map(|()| end)
     }
 }
 
-/// Shapes that are moved by `translated`.
-macro_rules! in_domain {
-    ([$($n:tt)*] $a:ty) => {
-        impl<$($n)*> $crate::query::cast::kernel::InDomain for $a {
-            fn after(&self, motion: Vec2) -> Result<Self, RangeError> {
-                self.translated(motion)
-            }
-        }
-    };
-}
-pub(crate) use in_domain;
-
-in_domain!([] Aabb);
-in_domain!([] Circle);
-in_domain!([] Segment);
+impl InDomain for Aabb {}
+impl InDomain for Circle {}
+impl InDomain for Segment {}
 
 /// The answer to a cast that starts inside: a ray in the solid, or a shape that overlaps the other
 /// one. The border is not inside.

@@ -9,6 +9,7 @@ pub(super) mod segments;
 use super::Overlaps;
 use crate::error::RangeError;
 use crate::num::{Axis, LONG, MOTION, Raw, Toi, Vec2, check_motion, mul_div};
+use crate::shape::kernel::Movable;
 use crate::shape::{Aabb, Circle, Segment};
 use boxes::{Rounded, SideMoment, enter_box};
 use kernel::{Course, Enter, Exchanged, InDomain, Moment, exchanged};
@@ -157,10 +158,10 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
     #[doc(alias("exit time", "interval of contact", "swept SAT"))]
     fn contact_interval(&self, b: &B, motion: Vec2) -> Result<Option<(Toi, Toi)>, RangeError>
     where
-        Self: Sized,
+        Self: Movable,
     {
         // The exit is the entry of the way back.
-        let back = self.after(motion)?.exact_toi(b, Vec2::ZERO - motion, Inside::Hit)?;
+        let back = self.moved(motion)?.exact_toi(b, Vec2::ZERO - motion, Inside::Hit)?;
         let entry = self.exact_toi(b, motion, Inside::Hit)?;
         Ok(entry.zip(back.map(|back| Toi::clamped(Toi::ONE.raw().wrapping_sub(back.raw())))))
     }

@@ -42,7 +42,7 @@ mod two_segments;
 mod walk;
 
 use super::cast::CastShape;
-use super::cast::kernel::{CastHit, Course, Enter, Inside, RayTarget, in_domain};
+use super::cast::kernel::{CastHit, Course, Enter, InDomain, Inside, RayTarget};
 use super::closest::{ClosestPoint, Distance, from_border};
 use super::contact::{Contact, Contacts};
 use super::meet::aabb_aabb;
@@ -64,7 +64,7 @@ pub(crate) use near::between;
 pub(crate) use round::ArcCell;
 pub(crate) use walk::Core;
 
-pub use hint::Separation;
+pub use hint::{OverlapsFrom, Separation};
 pub use manifold::{Manifold, ManifoldPoint, Part};
 
 /// How two shapes rest on each other: one or two points.
@@ -100,32 +100,6 @@ macro_rules! with_cores {
         let $b = Core { corners: &q, radius: $y.rounding() };
         $body
     }};
-}
-
-/// Whether two shapes overlap, with a hint from the last frame.
-///
-/// The answer is that of [`overlaps`](Overlaps::overlaps). It is faster if the side that last
-/// separated the shapes still separates them. Two oriented boxes with sharp corners take less
-/// without it: they read the hint only if they nearly touch. It exists for all pairs of shapes
-/// except boxes, circles and segments among themselves, which need no hint.
-///
-/// ```
-/// use tilesat::prelude::*;
-/// use tilesat::{Aabb, ConvexPolygon, Vec2, fx, query::Separation};
-/// let wall = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(40, 8))?;
-/// let corners = [(10, 34), (16, 46), (4, 46)].map(|(x, y)| Vec2::from_ints(x, y));
-/// let mut ship = ConvexPolygon::<3>::new(&corners)?;
-/// let mut last = Separation::default(); // one for this pair of bodies
-/// while !ship.overlaps_from(&wall, &mut last) {
-///     ship = ship.translated(Vec2::from_ints(0, -1))?;
-/// }
-/// assert_eq!(ship.aabb().min().y, fx!(7));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub trait OverlapsFrom<B: ?Sized>: Overlaps<B> {
-    /// Whether this shape overlaps `b`. `last` is the hint that the last call for this pair stored.
-    #[must_use]
-    fn overlaps_from(&self, b: &B, last: &mut Separation) -> bool;
 }
 
 macro_rules! manifolds {
@@ -165,10 +139,10 @@ fn meet<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl F
     meet_cores::<CLOSED>((a, b), bounds)
 }
 
-/// The test for all other shapes. It is a call, so shorter tests need no saved registers.
+/// The test for all other shapes. It is a call, so shorter tests need no saved registers. It reads
+/// boxes again, so these keep no sides for it.
 #[inline(never)]
 fn meet_cores<const CLOSED: bool>((a, b): (&impl Convex, &impl Convex), bounds: impl Fn() -> (Aabb, Aabb)) -> bool {
-    // Read again: sides that the short test keeps for this one would cost it more.
     if let Some(answer) = BoxPair::of(a, b).and_then(|pair| pair.meet_exactly::<CLOSED>()) {
         return answer;
     }
@@ -255,7 +229,6 @@ macro_rules! pair {
         impl<$($n)*> OverlapsFrom<$b> for $a {
             #[inline]
             fn overlaps_from(&self, b: &$b, last: &mut Separation) -> bool {
-                // Two boxes take less than their bounds and a look at the last side.
                 if let Some(answer) = BoxPair::of(self, b).and_then(|pair| pair.meet::<false>()) {
                     return answer;
                 }
@@ -365,7 +338,7 @@ macro_rules! points {
             }
         }
 
-        in_domain!([$($n)*] $a);
+        impl<$($n)*> InDomain for $a {}
 
         impl<$($n)*> RayTarget for $a {
             fn ray_hit(&self, origin: Vec2, motion: Vec2, inside: Inside) -> Result<Option<CastHit>, RangeError> {
