@@ -65,8 +65,10 @@ pub(super) fn are_idle<S>(memory: &[Remembered], slots: &[Slot<S>], pair: Pair) 
 /// How far from its box a body may move in this step: [`reach`], with the state in which an idle
 /// body made its last step.
 pub(super) fn reach_of<S: BodyShape>(memory: &[Remembered], slot: &Slot<S>, at: usize) -> u32 {
-    idle(memory, at)
-        .map_or_else(|| reach(slot), |rest| size(rest.made.causes.velocity).saturating_add(size(rest.made.causes.push)))
+    idle(memory, at).map_or_else(
+        || reach(slot),
+        |rest| size(rest.made.causes.velocity).saturating_add(size(rest.made.causes.pressed.push())),
+    )
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {

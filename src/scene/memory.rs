@@ -7,6 +7,7 @@
 
 use super::body::Slot;
 use super::body_way::{Drift, size};
+use super::pressed::Pressed;
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
 
@@ -94,7 +95,7 @@ pub(super) enum Idle {
 /// The causes of a body's motion in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Causes {
-    pub(super) push: Vec2,
+    pub(super) pressed: Pressed,
     pub(super) velocity: Vec2,
     /// Gravity, which decides at which speeds the body does not bounce, and which surfaces are
     /// floors.
@@ -109,8 +110,8 @@ impl Rest {
 
 impl Made {
     /// `None` if the motion had more hits than are kept.
-    pub(super) fn of<B>(causes: Causes, moved: &Moved<B>, blocked: u8) -> Option<Self> {
-        Some(Self { causes, velocity: moved.velocity, hits: moved.hits.few()?, floor: moved.floor, blocked })
+    pub(super) fn of<B>(causes: Causes, moved: &Moved<B>, (velocity, blocked): (Vec2, u8)) -> Option<Self> {
+        Some(Self { causes, velocity, hits: moved.hits.few()?, floor: moved.floor, blocked })
     }
 
     pub(super) fn hits(&self) -> Hits {

@@ -3,7 +3,7 @@
 
 use super::blocked_sides::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
-use super::body_way::{Pace, size};
+use super::body_way::Pace;
 use super::kernel::BodyShape;
 use super::meeting_time::senses;
 use super::reply::{Replies, Reply};
@@ -41,16 +41,12 @@ pub(super) fn collect_effects<S: BodyShape>(
 ) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
-    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), gravity);
-    // If a push parts two lying bodies, other bodies push them back. Pushing by the whole overlap
-    // would never end.
-    let gently =
-        a.support != ALOFT && b.support != ALOFT && meeting.moves_a && meeting.moves_b && !meeting.lands(gravity);
+    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked));
     let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
     for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
         if !carried {
-            slot.tally.pushed(if gently { half(by) } else { by });
+            slot.tally.pushed(by);
         }
         slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
     }
@@ -58,24 +54,15 @@ pub(super) fn collect_effects<S: BodyShape>(
 }
 
 /// The pushes that part two bodies. One that is blocked tries its share again, and the other makes
-/// the whole correction. Bodies that lie overlap by what gravity adds in two steps, and a little
-/// more: a push by that would make a heap jitter.
-fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), gravity: Vec2) -> (Vec2, Vec2) {
+/// the whole correction.
+fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8)) -> (Vec2, Vec2) {
     let of = |masses: Masses| separate(contact, masses.share_of_a());
     let (by_a, by_b) = of(meeting.masses);
-    if size(by_b - by_a) <= size(gravity).saturating_mul(3) {
-        return (by_a, by_b);
-    }
     match (leads_to_blocked(a, by_a), leads_to_blocked(b, by_b)) {
         (true, false) if meeting.moves_b => (by_a, of(Masses::A_FIXED).1),
         (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, by_b),
         _ => (by_a, by_b),
     }
-}
-
-fn half(v: Vec2) -> Vec2 {
-    let (x, y) = v.raw();
-    Vec2::from_raw(x / 2, y / 2)
 }
 
 /// How two bodies that run into each other change their velocities.

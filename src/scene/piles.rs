@@ -10,6 +10,7 @@ use super::kernel::BodyShape;
 use super::level_of_body::View;
 use super::meeting_time::{around, may_meet, pair, senses};
 use super::memory::{Remembered, keep, rest_mut};
+use super::pressed::Pressed;
 use super::reply::{Replies, Reply};
 use super::through_level::{Trip, hold_in_place};
 use super::velocities::{Meeting, Top, carried, toward};
@@ -97,6 +98,8 @@ struct Pile<'a, B, V, S, const M: usize> {
 impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usize> Pile<'_, B, V, S, M> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(&mut self, handle: Handle, replies: &mut impl Replies, each: &mut dyn FnMut(SceneEvent<'_>)) -> bool {
+        let Some(slot) = self.slots.get(handle.slot()) else { return false };
+        let ground = slot.ground_velocity(self.slots);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
         let known = slot.body.shape;
         let moved = slot.way.pace == Pace::Moved;
@@ -104,7 +107,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let (start, quiet) =
             (known.position() - by, if moved { slot.quiet_before(by) } else { slot.quiet_and_drift() });
         if !moved {
-            self.trip.make(slot, handle, self.memory, self.near, self.stepped, each);
+            self.trip.make(slot, (handle, ground), self.memory, self.near, self.stepped, each);
             if slot.way.pace != Pace::Lies {
                 return false;
             }
@@ -196,7 +199,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             if let Some(rest) = rest_mut(self.memory, handle.slot()) {
                 rest.stays = false;
             }
+            let from = slot.body.shape.position();
             slot.body.shape = self.trip.slide(handle, &slot.body, push)?;
+            let (made, ground) = (slot.body.shape.position() - from, slot.ground_velocity(self.slots));
+            slot.body.velocity = Pressed::of(slot, ground).left(slot.body.velocity, made, gravity);
         }
         let bounds = slot.body.shape.aabb();
         if self.near.bounds(handle).is_ok_and(|known| known != bounds) {

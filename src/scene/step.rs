@@ -336,12 +336,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.release_unreachable(trip, replies);
         }
         for &handle in self.awake.iter().take(self.count) {
+            let Some(slot) = self.slots.get(handle.slot()) else { continue };
+            let ground = slot.ground_velocity(&self.slots);
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if let Some(rest) = idle(&self.memory, handle.slot()) {
                 repeat(slot, handle, rest, stepped, each);
                 calm |= slot.quiet >= steps;
             } else if slot.way.pace == Pace::Slow {
-                trip.make(slot, handle, &mut self.memory, &mut self.near, stepped, each);
+                trip.make(slot, (handle, ground), &mut self.memory, &mut self.near, stepped, each);
                 calm |= slot.quiet >= steps;
             }
         }

@@ -7,6 +7,7 @@ use super::kernel::{BodyShape, Visit};
 use super::level_of_body::{Sliding, View, sliding};
 use super::meeting_time::{may_meet, senses};
 use super::memory::{Causes, Made, Remembered, Rest, Start, keep, known, note, rest_mut};
+use super::pressed::Pressed;
 use super::resting::{down, holds_up};
 use super::velocities::toward;
 use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
@@ -37,7 +38,7 @@ impl<'a, V> Trip<'a, V> {
 struct Travel<'t, 'a, V, S, N> {
     trip: &'t Trip<'a, V>,
     slot: &'t mut Slot<S>,
-    handle: Handle,
+    at: (Handle, Causes),
     memory: &'t mut [Remembered],
     near: &'t mut N,
     each: &'t mut dyn FnMut(SceneEvent<'_>),
@@ -52,7 +53,7 @@ where
     type Out = Result<(), SceneFault>;
     #[inline]
     fn of<B: Body + Into<S>>(self, body: &B) -> Self::Out {
-        self.trip.travel(self.slot, self.handle, body, self.memory, self.near, self.each)
+        self.trip.travel(self.slot, self.at, body, self.memory, self.near, self.each)
     }
 }
 
@@ -101,11 +102,11 @@ impl<V> Trip<'_, V> {
         mover.with_responses(body.responses)
     }
 
-    /// One body's whole step.
+    /// One body's whole step, on ground of this velocity.
     pub(super) fn make<S: BodyShape>(
         &self,
         slot: &mut Slot<S>,
-        handle: Handle,
+        (handle, ground): (Handle, Vec2),
         memory: &mut [Remembered],
         near: &mut impl BroadPhase,
         stepped: &mut Stepped,
@@ -114,17 +115,15 @@ impl<V> Trip<'_, V> {
         V: View<S>,
     {
         stepped.moved += 1;
-        let (shape, at) = (slot.body.shape, handle.slot());
+        let (shape, at, causes) = (slot.body.shape, handle.slot(), self.causes(slot, ground));
         let made = if memory.is_empty() {
             None
-        } else if let Some(rest) =
-            rest_mut(memory, at).filter(|rest| rest.stays && rest.made.causes == self.causes(slot))
-        {
+        } else if let Some(rest) = rest_mut(memory, at).filter(|rest| rest.stays && rest.made.causes == causes) {
             rest.start = Start::of(slot);
             Some((Vec2::ZERO, rest.made))
         } else {
             let ways = memory.get_mut(self.ways..).unwrap_or_default();
-            let found = known(ways, at, shape.position(), &self.causes(slot));
+            let found = known(ways, at, shape.position(), &causes);
             if let Some((by, made)) = &found {
                 keep(memory, at, Some(Rest::of(made, Start::of(slot), *by)));
             }
@@ -132,7 +131,7 @@ impl<V> Trip<'_, V> {
         };
         let done = match made {
             Some((by, made)) => self.repeat(slot, handle, (by, &made), near, each),
-            None => shape.visit(Travel { trip: self, slot, handle, memory, near, each }),
+            None => shape.visit(Travel { trip: self, slot, at: (handle, causes), memory, near, each }),
         };
         if let Err(fault) = done {
             keep(memory, at, None);
@@ -141,9 +140,9 @@ impl<V> Trip<'_, V> {
     }
 
     /// The causes of a body's motion in this step.
-    fn causes<S: BodyShape>(&self, slot: &Slot<S>) -> Causes {
+    fn causes<S: BodyShape>(&self, slot: &Slot<S>, ground: Vec2) -> Causes {
         let velocity = slot.body.velocity + slot.tally.kick;
-        Causes { push: slot.tally.push(), velocity, gravity: self.gravity }
+        Causes { pressed: Pressed::of(slot, ground), velocity, gravity: self.gravity }
     }
 
     /// The remembered motion that [`travel`](Self::travel) would make.
@@ -173,10 +172,10 @@ impl<V> Trip<'_, V> {
     where
         V: View<S>,
     {
-        let (shape, Causes { push, velocity, .. }) = (&slot.body.shape, self.causes(slot));
+        let (shape, Causes { pressed, velocity, .. }) = (&slot.body.shape, self.causes(slot, Vec2::ZERO));
         // The look costs as much as the step. So only a body that nothing pushes, and that is no
         // faster than two steps of gravity, is looked at.
-        if push != Vec2::ZERO || size(velocity) > size(self.gravity).saturating_mul(2) {
+        if pressed.push() != Vec2::ZERO || size(velocity) > size(self.gravity).saturating_mul(2) {
             return false;
         }
         let (mover, level) = (self.bouncing(&slot.body), self.view.level(&slot.body));
@@ -188,7 +187,7 @@ impl<V> Trip<'_, V> {
     fn travel<S: BodyShape, B: Body + Into<S>>(
         &self,
         slot: &mut Slot<S>,
-        handle: Handle,
+        (handle, causes): (Handle, Causes),
         body: &B,
         memory: &mut [Remembered],
         near: &mut impl BroadPhase,
@@ -197,8 +196,9 @@ impl<V> Trip<'_, V> {
     where
         V: View<S>,
     {
-        let (causes, start_of) = (self.causes(slot), Start::of(slot));
-        let (mut start, mut blocked, Causes { push, velocity, .. }) = (*body, 0, causes);
+        let (mut start, mut blocked, start_of) = (*body, 0, Start::of(slot));
+        let Causes { pressed, velocity, .. } = causes;
+        let push = pressed.push();
         if push != Vec2::ZERO {
             start = self.view.go(&self.mover, (handle, &slot.body), body, push)?.body;
             blocked = blocked_sides(push, start.position() - body.position());
@@ -212,14 +212,15 @@ impl<V> Trip<'_, V> {
         let by = moved.position() - body.position();
         go(slot, handle, by, near)?;
         slot.block(blocked, by);
+        let left = pressed.left(moved.velocity, start.position() - body.position(), self.gravity);
         if !memory.is_empty() {
-            let (at, made) = (handle.slot(), Made::of(causes, moved, blocked));
+            let (at, made) = (handle.slot(), Made::of(causes, moved, (left, blocked)));
             keep(memory, at, made.as_ref().map(|made| Rest::of(made, start_of, by)));
             if let Some((ways, made)) = memory.get_mut(self.ways..).zip(made.as_ref()) {
                 note(ways, at, body.position(), by, made);
             }
         }
-        slot.body.velocity = moved.velocity;
+        slot.body.velocity = left;
         self.arrive(slot, by, if moved.floor { 0 } else { ALOFT }, moved.hits.is_empty());
         if !moved.hits.is_empty() {
             each(SceneEvent::Level { body: handle, hits: &moved.hits, flags: moved.flags, velocity });

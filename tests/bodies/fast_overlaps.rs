@@ -84,7 +84,7 @@ fn slow_balls_sink_as_documented() {
         (
             vec![floor, ball(60.0, 104.0, 1), ball(76.0, 104.0, 2)],
             ball(68.0, 90.14, 3),
-            fx!(0.09)..fx!(0.12),
+            fx!(0.06)..fx!(0.09),
             fx!(90.14),
         ),
         (vec![floor, block(20, 4), block(72, 5)], ball(66.0, 60.0, 3), fx!(0)..fx!(0.01), fx!(74.71)),

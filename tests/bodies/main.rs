@@ -10,6 +10,7 @@ mod fast_curves;
 mod fast_overlaps;
 mod filters;
 mod hanging;
+mod heaps;
 mod leaning;
 mod pair_events;
 mod piles;
