@@ -1,5 +1,5 @@
-//! The queries of a broad phase beside its pairs: bodies near a point or on a path, in order, and
-//! the pairs of a few bodies.
+//! The queries of a broad phase other than all its pairs. They find bodies near a point or on a
+//! path, in order, and the pairs of a few bodies.
 //!
 //! Answers are in canonical order. If room is short, they are the first ones.
 

@@ -43,8 +43,8 @@ impl State {
 /// No slot.
 pub(super) const NIL: u16 = u16::MAX;
 
-/// A slot without a body: no box touches it. The left side is kept, which leaves an order by it as
-/// it is; the last word is one more than the next free slot, or 0.
+/// A slot without a body: no box touches it. It keeps the left side, so an order by left sides
+/// stays as it is. The last word is one more than the next free slot, or 0.
 pub(super) const fn dead(left: i32, next: u16) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: left, y: i32::MAX }, Raw { x: i32::MIN, y: next as i32 })
 }
@@ -153,7 +153,8 @@ impl<T: Tag> Bodies<'_, T> {
     ///
     /// Test the boxes first. A frame of 64 bodies, each against each, then takes a Cortex-M0 31 600
     /// instructions, whatever the masks are. With masks before boxes it takes 69 300 if all may
-    /// pair and 45 100 if none may, because a test of boxes mostly ends at its first comparison.
+    /// pair, and 45 100 if none may. The reason is that a test of boxes mostly ends at its first
+    /// comparison.
     #[inline]
     pub(super) fn pair(&self, i: usize, j: usize) -> Option<Pair> {
         let (Some(a), Some(b)) = (self.tags.get(i), self.tags.get(j)) else { return None };
@@ -184,9 +185,8 @@ impl<T: Tag> Slots<'_, T> {
         Ok(Handle::new(slot, *generation))
     }
 
-    /// Frees the slot of a body, and returns its tag. The slot keeps the left side and nothing else
-    /// of it: so broad phases are equal whatever was removed, also after a round trip through
-    /// serde.
+    /// Frees the slot of a body, and returns its tag. The slot keeps only the left side of its box.
+    /// So two broad phases are equal whatever was removed, also after a round trip through serde.
     pub(super) fn remove(&mut self, slot: usize) -> T {
         let places = (self.bounds.get_mut(slot), self.tags.get_mut(slot), self.generations.get_mut(slot));
         let (Some(place), Some(own), Some(generation)) = places else { return T::BLANK };

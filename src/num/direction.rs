@@ -393,9 +393,9 @@ impl Normalised {
 
     /// An upper bound of the shifted product with the exact reciprocal, at most 3 units above it.
     ///
-    /// recip is at most 1.53 below the exact one (dropping the square's low bits only raised it),
-    /// which is less than 2^32 / 2^31 here: the exact product is below `hi + 2`, so half of it is
-    /// at most `(hi + 3) >> 1`.
+    /// `recip` is at most 1.53 below the exact reciprocal; dropping the square's low bits only
+    /// raised it. The component is below 2^31, so the shifted product loses less than 1 by that.
+    /// The exact product is therefore below `hi + 2`, and half of it is at most `(hi + 3) >> 1`.
     #[inline]
     const fn ceil(&self, component: u32) -> u32 {
         let hi = (umul(component, self.recip) >> 32) as u32;

@@ -3,11 +3,13 @@
 use super::quotient::{leading_zeros64, rsqrt, rsqrt_wide};
 use super::wide::{LONG, less128, mul64, sqr64, umul, usqr};
 
-/// The reciprocal of a root, for whatever is computed from one: `1 / sqrt(n)` is `2^half y / 2^63`.
+/// The reciprocal of a root, for all numbers that are computed from one: `1 / sqrt(n)` is
+/// `2^half y / 2^63`.
 ///
-/// `y` is the [`rsqrt`] of the top word h of `n << 2 half`, which is in `[2^62, 2^64)`: that is
-/// 2^47/sqrt(h'), h <= h' < h + 1. rsqrt is less than 2 above its value at h, and that is at most 2
-/// above the one at h': `y - 4` never exceeds the exact factor, and is at most 8 below it.
+/// `n << 2 half` is in `[2^62, 2^64)`, and `y` is the [`rsqrt`] of its top word h. The exact factor
+/// is 2^47/sqrt(h'), with h <= h' < h + 1. rsqrt is less than 2 above the exact value at h, and
+/// that is at most 2 above the factor. So `y - 4` never exceeds the exact factor, and is at most 8
+/// below it.
 #[derive(Clone, Copy)]
 pub(crate) struct InverseRoot {
     pub(super) y: u64,

@@ -218,9 +218,11 @@ pub(crate) fn fraction(num: u32, den: u32) -> u32 {
 }
 
 /// Long division in three digits of ten bits, each from a 16-bit reciprocal that is never too
-/// large. A digit is short by less than 0.11 before it is floored, as each of its three factors
-/// adds: the remainder without its low 15 bits 2^-5, the divisor so 2^-5, the reciprocal 2^10 times
-/// 2^-14.4. So it is right or one too small, and the remainder, below `2 den`, decides.
+/// large.
+///
+/// A digit is short by less than 0.11 before it is floored. The remainder loses its low 15 bits,
+/// which adds 2^-5, and so does the divisor. The reciprocal adds 2^10 times 2^-14.4. So the digit
+/// is right or one too small, and the remainder, below `2 den`, decides.
 #[inline]
 pub(super) fn by_digits(num: u32, den: u32) -> u32 {
     let (mut rest, mut den) = (num, den);

@@ -99,7 +99,7 @@ pub const fn isqrt64(n: u64) -> u32 {
 /// Halving the bits of a positive `f64` halves its exponent: with the constant, the result is
 /// within 3.5 % of the root. A step takes a relative error e to e^2 / 2: three take it below 2^-45,
 /// and roundings add 2^-51. A root is below 2^32, so the candidate is at most one off, either way.
-/// The lowest bit of `n` is dropped first, because a signed conversion is one instruction: that
+/// The lowest bit of `n` is dropped first, because a signed conversion is one instruction. That
 /// changes the root of an odd `n` by less than one.
 #[inline(always)]
 #[expect(clippy::cast_precision_loss, clippy::float_arithmetic, reason = "what the rounding does is derived above")]

@@ -64,8 +64,8 @@ mod unit {
     use crate::num::quotient::isqrt64;
     use crate::num::{Axis, sqr64};
 
-    /// Vectors of every size and of sides that differ by up to as much; those beside squares of
-    /// lengths, and of halves of the last place.
+    /// The sides are at and beside 1, 2, 3, 5 and 7 times powers of two, in all pairs and signs. A
+    /// walk over all sizes follows.
     #[test]
     fn one_reciprocal_root_gives_all_that_needs_one() {
         let sizes = (0..30).flat_map(|k| [1, 2, 3, 5, 7].map(|m| (m << k) >> 2)).filter(|v| (1..1 << 30).contains(v));
@@ -233,8 +233,8 @@ mod fraction {
         assert_eq!((u64::from(fraction(num, den)), u64::from(by_digits(num, den))), (floor, floor), "{num} / {den}");
     }
 
-    /// All small fractions; all divisors that differ in the bits that the reciprocal sees, and
-    /// those next to them, with numerators that leave remainders close to 0 and to the divisor.
+    /// All small fractions. All divisors that differ in the bits that the reciprocal sees, and
+    /// those next to them. Their numerators leave remainders close to 0 and to the divisor.
     #[test]
     fn is_the_exact_floor() {
         for den in 1..600 {
@@ -263,8 +263,8 @@ mod fraction {
 mod roots_at_run_time {
     use crate::num::quotient::{isqrt_words, isqrt64, root64};
 
-    /// Beside squares, where floors change, from roots near powers of two and from a walk over all
-    /// sizes: by the processor, by floats and by words.
+    /// Numbers beside squares, where floors change: from roots near powers of two, and from a walk
+    /// over all sizes. The processor, floats and words must agree.
     #[test]
     fn they_are_those_of_constants() {
         let walked = (0..200_000u64).map(|k| k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (32 + k % 24));

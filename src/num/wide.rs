@@ -14,7 +14,7 @@ use core::cmp::Ordering;
 #[doc(hidden)] // for this crate's tests
 pub const SPLIT: bool = cfg!(any(tilesat_split, all(target_arch = "arm", not(target_has_atomic = "32")))) && !ARM_STATE;
 
-/// True on `ARMv4T` and `ARMv5TE` in Arm state, which has `UMULL`: a frame of the example for the
+/// True on `ARMv4T` and `ARMv5TE` in Arm state, which has `UMULL`. A frame of the example for the
 /// Game Boy Advance takes 8 % less with it.
 ///
 /// These targets need a nightly compiler for their core library, and a nightly shows the two
@@ -108,8 +108,10 @@ pub const fn umul_split(a: u32, b: u32) -> u64 {
     ((hi as u64) << 32) | lo as u64
 }
 
-/// [`imul`] from [`umul_split`]: a is its bits less 2^32 where it is negative, so the high word is
-/// less by b then, and likewise by a.
+/// [`imul`] from [`umul_split`].
+///
+/// If a is negative, it is its bits less 2^32, so the high word is less by b. If b is negative, the
+/// high word is less by a.
 #[doc(hidden)] // for this crate's tests
 #[inline]
 #[must_use]

@@ -249,8 +249,10 @@ impl Offset {
     }
 }
 
-/// Whether a point is nearer to a line than `r`, by the cross product of a vector along it: below
-/// 2^61, so its square and `r^2 len2` are below 2^122.
+/// Whether a point is nearer to a line than `r`, or as near where `CLOSED`.
+///
+/// `cross` is the cross product of a vector along the line and one to the point. It is below 2^61,
+/// so its square and `r^2 len2` are below 2^122.
 #[inline(always)]
 pub(crate) const fn near_line<const CLOSED: bool>(cross: i64, r: i32, len2: u64) -> bool {
     let (square, limit) = (sqr_signed(cross), mul64(usqr(r as u32), len2));
@@ -356,16 +358,16 @@ pub(crate) enum Region {
     },
 }
 
-/// The region of `p` before the segment from `a` to `b`, which is not a point where `inside` is
-/// set.
+/// The region of `p` before the segment from `a` to `b`. Where `inside` is set, the segment is not
+/// a point.
 ///
 /// `FAR` allows any `p`; otherwise it must be inside the domain. The products with `p` itself are
-/// below 2^62, those with `a` below 2^60, so the difference is exact in 64 bits even where `p - a`
-/// needs 33.
+/// below 2^62, and those with `a` below 2^60. So the difference is exact in 64 bits, even where
+/// `p - a` needs 33.
 ///
 /// `inside` says that `p` is known to be in the segment's bounding box. Then both products of the
-/// dot product have the sign of a square, and none exceeds that square: the foot is between the
-/// ends, at most at one of them.
+/// dot product have the sign of a square, and neither exceeds that square. So the foot is between
+/// the ends, or at one of them.
 #[inline]
 pub(crate) const fn region<const FAR: bool>(p: Raw, a: Raw, b: Raw, inside: bool) -> Region {
     let e = b.sub(a);

@@ -183,10 +183,11 @@
 //! | crossing segments: exits over both lines equal | yes | yes | x before y before the smaller normal, degenerate |
 //!
 //! `e` is the edge of the segment from its lexicographically smaller end (smaller x, then smaller
-//! y) to the other; parallels to x and y have axes of length one. Moving A against the axis of a
-//! degenerate contact ends the overlap as any other does. In the order (B, A) that axis is the same
-//! if its sign is a convention. It is reversed if only the choice between two axes is a convention.
-//! The distance of shapes that are less than one raw unit apart is 0, while `touches` is false.
+//! y) to the other. Segments parallel to x or y have axes of length one. Moving A against the axis
+//! of a degenerate contact ends the overlap as any other does. In the order (B, A) that axis is the
+//! same if its sign is a convention. It is reversed if only the choice between two axes is a
+//! convention. The distance of shapes that are less than one raw unit apart is 0, while `touches`
+//! is false.
 
 /// A pair of different shapes, in both orders, by the macro of one ordered pair. Its kernels take
 /// the shapes in either order.

@@ -143,8 +143,9 @@ pub struct Way {
     pub(in crate::world) starts_beside: bool,
     /// The current strip, the step to the next one, and the last that there is.
     pub(in crate::world) strip: Edge,
-    /// How far the front moves until it enters the next strip. For the first strip, without the gap
-    /// before it: a strip beyond the map is wider than a cell, and the body may be in it already.
+    /// How far the front moves until it enters the next strip. For the first strip it leaves out
+    /// the gap before it. The reason is that a strip beyond the map is wider than a cell, and the
+    /// body may be in it already.
     pub(in crate::world) from: i32,
     /// The length of the motion along, and the part of it that is aside, in parts of 2^30.
     pub(in crate::world) length: i32,
@@ -155,8 +156,8 @@ pub struct Way {
     /// The cells aside at both ends of the body.
     pub(in crate::world) trail: Edge,
     pub(in crate::world) lead: Edge,
-    /// The tiles of the current strip that are left: the place of the next one, how many in its
-    /// row, the last column, the row, the last row.
+    /// The tiles that are left of the current strip. In order: the place of the next one, the
+    /// number in its row, the last column, the row, and the last row.
     pub(in crate::world) tile: u32,
     pub(in crate::world) count: i32,
     pub(in crate::world) last_x: i32,

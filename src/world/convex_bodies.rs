@@ -2,9 +2,9 @@
 //! meet it, and the contacts with one feature that they overlap.
 //!
 //! A contact has the depth and the direction of the way out. Boxes and circles have separate
-//! kernels. A convex body has the same contacts as a box. A face has the deepest part of the body.
-//! A corner or an arc has the least exit across one of the body's sides, or past one of its rounded
-//! corners, in the feature's cone of normals.
+//! kernels. A convex body has the same contacts as a box. At a face, that is the deepest part of
+//! the body. At a corner or an arc, it is the least exit in the feature's cone of normals. That is
+//! across one of the body's sides, or past one of its rounded corners.
 
 use super::closest::OneWay;
 use super::contacts::kernel::{PushKernel, PushOne};

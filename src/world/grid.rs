@@ -41,8 +41,8 @@ pub(super) struct GridAxis {
     pub(super) origin: i32,
     /// The length of all cells, below 2^30.
     pub(super) size: i32,
-    /// The number of cells, 1 to 32 767. A whole word: bytes between the fields of a constant grid
-    /// would make a map that is made from it a call of the compiler's copy routine.
+    /// The number of cells, 1 to 32 767. It is a whole word. With bytes between the fields of a
+    /// constant grid, a map made from it would take a call of the compiler's copy routine.
     pub(super) count: u32,
 }
 

@@ -397,8 +397,9 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
         false
     }
 
-    /// Whether a region is in a grid and no body in it, rounded by `r`, reaches solid in front of a
-    /// line that a cell touches. The solid of that cell must be convex, or the answer is false.
+    /// Whether a region is in a grid, and no body in it, rounded by `r`, reaches solid in front of
+    /// a line. A cell touches the line, and the solid of that cell must be convex, or the answer is
+    /// false.
     #[doc(hidden)]
     fn is_behind(&self, region: &Aabb, r: i32, line: &Tangent) -> bool {
         let _ = (region, r, line);

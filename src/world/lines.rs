@@ -26,8 +26,8 @@ pub struct Lines {
 ///          rear        lead gap
 /// ```
 ///
-/// A box without an extent on a line has its front at the end of one cell and its rear at the start
-/// of the next: `rear` is then a step beyond `lead`.
+/// A box without an extent on a line has its front at the end of one cell. Its rear is at the start
+/// of the next, so `rear` is a step beyond `lead`.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct Sides {
     /// The length of the motion.

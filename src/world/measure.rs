@@ -67,13 +67,13 @@ fn line_and_point(f: u64, d: u64, n: u64) -> Ordering {
     sqr64(f).cmp(&mul64(n, d))
 }
 
-/// `|sqrt(a) - r|` against `t`, which is a root or a height.
+/// Compares `|sqrt(a) - r|` with `t`, which is a root or a height.
 ///
-/// Outside, `sqrt(a) < r + t` is `a - r^2 - t^2 < 2 r t`; inside, `r < sqrt(a) + t` is
-/// `r^2 - a - t^2 < 2 sqrt(a) t`. Both are, with `w = |a - r^2|` and `k` the lesser of the squares,
-/// `w - t^2 < 2 sqrt(k) t`; for `t = f / sqrt(d)` that is `w d - f^2 < 2 f sqrt(k d)`: true where
-/// the left side is negative, else by its square. `k` is at most 2^48; a root and a tile's slope
-/// have `w d` and `f^2` below 2^64, and `4 k d` below 2^53.
+/// Outside, `sqrt(a) < r + t` is `a - r^2 - t^2 < 2 r t`. Inside, `r < sqrt(a) + t` is
+/// `r^2 - a - t^2 < 2 sqrt(a) t`. Both are `w - t^2 < 2 sqrt(k) t`, with `w = |a - r^2|` and `k`
+/// the lesser of the squares. For `t = f / sqrt(d)` that is `w d - f^2 < 2 f sqrt(k d)`. It is true
+/// if the left side is negative; else its square decides. `k` is at most 2^48. A root and a tile's
+/// slope have `w d` and `f^2` below 2^64, and `4 k d` below 2^53.
 #[inline(never)]
 fn ring_and_line<W: World>(a: u64, r: u32, line: &Measure) -> Ordering {
     let rr = usqr(r);
@@ -147,8 +147,8 @@ fn roots_together(a: u64, b: u64, sum: u32) -> Ordering {
     mul64(a << 2, b).cmp(&sqr64(square.wrapping_sub(both)))
 }
 
-/// The contact of a box with a feature that it overlaps: its corner with a slope or arc, its side
-/// with a corner or with a face along x or y.
+/// The contact of a box with a feature that it overlaps. At a slope or an arc it is that of a
+/// corner of the box. At a corner, or at a face along x or y, it is that of a side.
 ///
 /// `c` is its middle. `behind` says whether the back of the feature counts, because the middle is
 /// in the solid. Also returns whether the box is in the feature's region.
@@ -280,8 +280,8 @@ impl ArcFrame {
         Raw { x: v.x.wrapping_mul(self.quadrant.x), y: v.y.wrapping_mul(self.quadrant.y) }
     }
 
-    /// The exit from a solid disc: along the line from its centre to the box's corner `near`; where
-    /// a side of the box is before the centre, that side leaves the arc's end.
+    /// The exit from a solid disc, along the line from its centre to the box's corner `near`. If a
+    /// side of the box is before the centre, that side leaves the arc's end.
     fn convex(&self, near: Raw, radius: i32) -> Contact {
         if near.x > 0 && near.y > 0 {
             let core = self.centre.add(self.turn(near));

@@ -187,10 +187,11 @@ impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> InCells fo
 
 /// Factors for 2^6 to 2^15 buckets.
 ///
-/// Two cells share a list if `x + K y` of their distance (x, y) is a multiple of the buckets B.
-/// Such distances form a lattice; each of these factors is odd (so no two cells of a column of B
-/// share one) and of all factors the one with the largest least `|x y|` among those with neither 0:
-/// at least B / 4. The nearest to B times the golden ratio would suit only some B.
+/// Two cells share a list if `x + K y` of their distance (x, y) is a multiple of the number of
+/// buckets B. Such distances form a lattice. Each factor is odd, so no two cells of a column of B
+/// cells share a list. Of all factors, each has the largest least `|x y|` among the distances with
+/// neither 0: at least B / 4. The factor nearest to B times the golden ratio would suit only some
+/// B.
 const FACTORS: [u16; 10] = [19, 47, 75, 149, 275, 791, 1557, 2431, 6229, 12031];
 
 /// The factor for a number of buckets. The compiler refuses numbers without one.

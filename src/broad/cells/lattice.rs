@@ -8,9 +8,9 @@ use crate::shape::Aabb;
 /// A lattice of cells. A box belongs to the cell of its centre, and no side of it is longer than a
 /// cell.
 ///
-/// So two boxes that touch belong to the same cell or to neighbours. If a whole cell is between two
-/// cells, centres in them are more than a side of a cell apart (a cell has its lower lines and not
-/// its upper ones), and half widths add up to at most that.
+/// So two boxes that touch belong to the same cell or to neighbours. A cell has its lower lines and
+/// not its upper ones. If a whole cell is between two cells, centres in them are therefore more
+/// than a side of a cell apart. Half widths add up to at most that side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lattice {
     /// The first corner of cell (0, 0).
@@ -218,9 +218,11 @@ impl CellRows {
     }
 }
 
-/// The cells at distance `r` from a cell (the longer of the distances along the axes), in up to
-/// four windows: the rows above and below, and the columns at the sides between them. Each cell
-/// once; with `r` = 0 only the first window has one.
+/// The cells at distance `r` from a cell: the rows above and below, and the columns at the sides
+/// between them.
+///
+/// The distance is the longer of those along the axes. Each cell is in one window. With `r` = 0
+/// only the first window has a cell.
 ///
 /// ```text
 ///  1 1 1

@@ -1,9 +1,9 @@
 //! Lists of the bodies of each cell, in arrays, and all pairs of bodies in them. 6 bytes per body,
 //! 2 per cell, and one bit per cell: whether it has bodies.
 //!
-//! The bodies of a cell are tested against five lists: the rest of their own list, and the whole
-//! lists of half of the eight neighbours. One of two neighbours has the other in its half, so every
-//! pair is met once.
+//! The bodies of a cell are tested against five lists. They are the rest of their own list, and the
+//! whole lists of half of the eight neighbours. One of two neighbours has the other in its half, so
+//! every pair is met once.
 //!
 //! ```text
 //!  .  .  .       0: its own, from the body on
@@ -103,8 +103,10 @@ impl<'a> Lists<'a> {
         (first, 0, usize::from(self.next.get(first).copied().unwrap_or(NIL)))
     }
 
-    /// The bodies of a list, from its first on. Lists have no cycles: the next of a body in a list
-    /// is in it, and a removed body keeps its next one, which was removed later if at all.
+    /// The bodies of a list, from its first on.
+    ///
+    /// Lists have no cycles. The next body of a body in a list is in that list. A removed body
+    /// keeps its next one; if that one was removed too, it was removed later.
     #[inline]
     pub(in crate::broad) fn from(&self, first: u16) -> impl Iterator<Item = usize> + use<'a> {
         let (next, mut body) = (self.next, first);
@@ -189,11 +191,14 @@ pub(in crate::broad) struct PairWalk<'a, T, M, F> {
 }
 
 impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
-    /// The cursor: `row` is the cell; `a` the body, `lane` one more than the list it is tested
-    /// against, and `b` the next body there; with `lane` 0 the cell was not begun.
+    /// Finds the pairs of bodies in cells.
     ///
-    /// A removed body touches nothing, wherever the cursor is, and the bodies after it in its list
-    /// are still reached from it.
+    /// In the cursor, `row` is the cell, `a` the body, and `b` the next body of the list that it is
+    /// tested against. `lane` is one more than the number of that list, or 0 if the cell was not
+    /// begun.
+    ///
+    /// A removed body touches nothing, wherever the cursor is. The bodies after it in its list are
+    /// still reached from it.
     #[inline(always)]
     pub(in crate::broad) fn in_cells(&mut self, near: Neighbours, cursor: &mut PairCursor) -> Result<(), PairsError> {
         let first = usize::from(cursor.row);

@@ -173,8 +173,8 @@ mod lattice {
 mod hash {
     use crate::broad::cells::hash::factor;
 
-    /// The claim, for every distance: two cells with a list in common are in one column or row at a
-    /// multiple of all buckets, or else far apart.
+    /// Checks the claim for every distance. Two cells with a list in common are far apart, or in
+    /// one column or row at a multiple of all buckets.
     #[test]
     fn cells_that_share_a_list_are_far_apart() {
         for log in 6..=15 {

@@ -10,9 +10,9 @@ use crate::shape::{Aabb, Circle, Segment};
 pub trait Moment: Copy {
     /// The exact floor of the moment, in parts of the motion.
     fn exact_toi(&self, d: Raw) -> Toi;
-    /// A lower bound of the moment (where it is a fraction, the exact floor), the displacement up
-    /// to it, and the normal toward the moving shape. The displacement is rounded to a position at
-    /// which the shapes do not overlap.
+    /// A lower bound of the moment, the displacement up to it, and the normal toward the moving
+    /// shape. If the moment is a fraction, the bound is its exact floor. The displacement is
+    /// rounded to a position at which the shapes do not overlap.
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis);
 }
 

@@ -162,9 +162,11 @@ pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
     less128(sqr64(height), reach)
 }
 
-/// Whether, at the moment T when the disc meets the face's line, the centre is not before an end:
-/// `u = dir . m(T) >= 0` for the start, with `m` the centre relative to it, and with -dir for the
-/// face's end (`at_end`).
+/// Whether the centre is not before an end of a face at the moment T when the disc meets the face's
+/// line.
+///
+/// For the start of the face that is `u = dir . m(T) >= 0`, with `m` the centre relative to it. For
+/// the face's end (`at_end`), `m` is relative to that, and the direction is -dir.
 #[inline]
 pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
     match pass_end(m, d, dir, at_end) {
@@ -177,8 +179,8 @@ pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> b
 pub(super) enum Pass {
     /// Whether it is beyond at T, whatever the radius.
     Never(bool),
-    /// At the moment s with u = 0 the height is |dir|^2 cross / du, and it falls: T is later than s
-    /// where that is more than r |dir|.
+    /// At the moment s with u = 0 the height is |dir|^2 cross / du, and it falls. T is later than s
+    /// if that height is more than r |dir|.
     At { cross: i64, du: i64 },
 }
 
@@ -191,7 +193,7 @@ fn pass_end(m: Raw, d: Raw, dir: Axis, at_end: bool) -> Pass {
     pass(along(dir, m), along(dir, d), || if at_end { m.cross(d).wrapping_neg() } else { m.cross(d) })
 }
 
-/// From where it is before the end, and how far it goes.
+/// How a motion passes an end: it starts `u` beyond the end, and moves by `du` along the face.
 #[inline]
 pub(super) fn pass(u: i64, du: i64, cross: impl FnOnce() -> i64) -> Pass {
     let beyond = u.wrapping_add(du);
@@ -239,8 +241,9 @@ pub(crate) struct Crossing {
 impl Crossing {
     /// For the point `m` that moves by `d` into the disc of radius `r`.
     ///
-    /// Decided without root or division: its line comes nearer than r (cross^2 < r^2 |d|^2, 124
-    /// bits), and that is where it ends, |m + d| < r, or before.
+    /// Decided without a root or a division. The line of the motion comes nearer than r: cross^2 <
+    /// r^2 |d|^2, in 124 bits. The motion ends inside (|m + d| < r), or after the nearest point of
+    /// the line.
     #[inline]
     pub(crate) fn of(m: Raw, r: i32, d: Raw) -> Option<Self> {
         let (dot, cross) = m.dot_cross(d);

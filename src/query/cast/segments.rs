@@ -20,11 +20,11 @@ pub struct EdgeMoment {
     pub(in crate::query) axis: Axis,
 }
 
-/// One strip, as a motion comes through it: where the moving and the resting shape are on an axis,
-/// and how fast the first one moves along it.
+/// One strip, as a motion crosses it: the intervals of both shapes on an axis, and the speed along
+/// it.
 #[derive(Clone, Copy)]
 struct Strip {
-    /// How far it is to the near border, negative within; and to the far one.
+    /// The distance to the near border, negative inside; and to the far one.
     gap: i64,
     leave: i64,
     /// Not negative.
@@ -75,8 +75,7 @@ fn enter<const N: usize>(strips: [Strip; N]) -> Course<EdgeMoment> {
 
 impl EdgeMoment {
     /// The later of two entries. At one moment, the one that opposes the motion more, then the one
-    /// more along x, then the one on a definite side of the motion. Exchanging the shapes does not
-    /// change that side.
+    /// more along x. Then one on a definite side of the motion, the same for exchanged shapes.
     pub(in crate::query) fn later(self, b: Self) -> Self {
         match mul64(self.gap, b.speed).cmp(&mul64(b.gap, self.speed)) {
             Ordering::Less => b,
@@ -118,9 +117,8 @@ impl Moment for EdgeMoment {
         Toi::exact(mul_div_wide(self.gap, Toi::ONE.raw(), self.speed))
     }
 
-    /// On the far side of the line of a slanted edge each component is rounded to the side that the
-    /// normal points to; of one along x or y the distance is exact, because the gap divides by
-    /// itself.
+    /// At a slanted edge each component is rounded to the side that the normal points to. At one
+    /// along x or y the distance is exact, because the gap divides by itself.
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
         let slanted = self.axis.x != 0 && self.axis.y != 0;
         let out = if slanted { self.axis } else { Axis::new(0, 0) };
@@ -180,8 +178,8 @@ pub enum CapsuleMoment {
     Rounded(Rounded),
 }
 
-/// A line that a point comes near to: its height above it falls from `gap` by `into`, in units of
-/// the axis' length, to the root of `reach`.
+/// A line that a point approaches, in units of the axis' length. The height of the point above it
+/// falls from `gap` by `into`, to the root of `reach`.
 #[derive(Clone, Copy, Debug)]
 pub struct Slope {
     gap: u64,
@@ -379,10 +377,10 @@ impl Slope {
 
     /// The exact floor.
     ///
-    /// At a moment T, in parts of 2^30, the height is g + f / 2^30 with g the whole part of
-    /// `gap - into T / 2^30`. It is below the root of the reach where g^2 + 2 g f / 2^30 + f^2 /
-    /// 2^60 is below the reach: where not already its whole parts tell, what is left of the reach
-    /// is at most 2 g, so in parts of 2^60 all sides are below 2^123.
+    /// At a moment T, in parts of 2^30, the height is g + f / 2^30, and g the whole part of
+    /// `gap - into T / 2^30`. Its square g^2 + 2 g f / 2^30 + f^2 / 2^60 must be below the reach.
+    /// If g does not decide, the rest of the reach is at most 2 g: in parts of 2^60 all is below
+    /// 2^123.
     pub(in crate::query) fn exact_toi(&self) -> Toi {
         last_before(self.bound(), |t| {
             // into * T in parts of 2^30: into is below 2^61, and split to leave the whole part.

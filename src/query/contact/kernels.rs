@@ -175,8 +175,8 @@ fn by_region(c: Raw, r: i32, a: Raw, b: Raw, prefer: i32) -> Option<Contact> {
     Some(contact.with_radii(r, 0))
 }
 
-/// A circle beside the edge `e`, at this cross product with it: a positive one is on the side of
-/// the normal (-e.y, e.x), so the segment lies against it.
+/// A circle beside the edge `e`, at this cross product with it. If that is positive, the circle is
+/// on the side of the normal (-e.y, e.x), so the segment is in the opposite direction.
 #[inline(always)]
 fn beside(c: Raw, e: Raw, cross: i64) -> Contact {
     let left = Axis::new(e.y.wrapping_neg(), e.x);

@@ -9,8 +9,10 @@ use crate::num::{Axis, Raw};
 use crate::query::contact::Contact;
 use crate::shape::Convex;
 
-/// The contact of two sharp boxes. An error for other shapes, for a box without area, for boxes so
-/// large that floats are not exact, and if two sides are as near, or nearly.
+/// The contact of two sharp boxes.
+///
+/// [`Unsure`] for other shapes, and for a box without area. Also for boxes so large that floats are
+/// not exact, and if two sides are equally near, or nearly so.
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "exact for short vectors")]
 pub(super) fn contact(a: &impl Convex, b: &impl Convex) -> Result<Option<Contact>, Unsure> {

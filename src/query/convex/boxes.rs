@@ -46,8 +46,8 @@ impl Parallelogram {
     }
 }
 
-/// The side of the sum of two boxes that is nearest to the origin; none if they do not overlap,
-/// and an error if another side is as near, or nearly.
+/// The side of the sum of two boxes that is nearest to the origin; `None` if they do not overlap.
+/// [`Unsure`] if another side is equally near, or nearly so.
 ///
 /// The margin across a side is twice the height of the nearer one of two opposite sides.
 pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<PolygonSide>, Unsure> {
@@ -98,8 +98,10 @@ pub(super) fn contact(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Con
     Ok(side.map(|side| across(&side, p.corner(side.a), q.corner(side.b))))
 }
 
-/// The one of two opposite sides of the sum, parallel to no others, that has the origin before it
-/// or nearer to it, and the corners at which it ends. The sum's middle is on the left of that.
+/// One of two opposite sides of the sum, and the corners at which it ends.
+///
+/// The origin is before that side, or nearer to it than to the opposite one. The sum's middle is on
+/// its left. No other sides are parallel to these two.
 fn side_toward(
     p: &Parallelogram,
     q: &Parallelogram,

@@ -172,8 +172,8 @@ mod tests {
     use crate::query::cast::kernel::Moment;
     use tilesat_judge::{Random, cases, enough};
 
-    /// Two discs that a motion enters within a few raw units of travel, and others: the bounds of
-    /// their moments are often in the wrong order, the answer never is.
+    /// Two discs that a motion enters within a few raw units of travel, and others. The bounds of
+    /// their moments are often in the wrong order, but the answer never is.
     #[test]
     fn of_two_discs_the_earlier_one() {
         let mut r = Random::new(61);

@@ -1,7 +1,7 @@
 //! The sides of two polygons one by one, each against all corners of the other polygon.
 //!
-//! Where a product is an instruction, up to some 64 pairs of a side and a corner take half of what
-//! a walk around the sum takes.
+//! On cores with an instruction for the product, this is for up to 64 pairs of a side and a corner.
+//! It takes about half of what a walk around the sum takes.
 
 use super::nearness::{Least, Nearness, Unsure};
 use super::walk::{Core, PolygonSide};

@@ -139,8 +139,8 @@ fn reach<const CLOSED: bool>(of: &[Vec2; 4], [Two([h, i]), Two([j, k])]: &[Two; 
 /// If a point of the other quad is inside of a side, that side does not separate them. For most
 /// sides of quads that overlap, the middle of two corners is. Integers decide the other sides.
 ///
-/// Corners relative to the middle are below 2^30, so products are off by 2^6, and two of them with
-/// their difference by 2^8: less than [`OFF`].
+/// Corners relative to the middle are below 2^30, so a product is off by 2^6. The difference of two
+/// products is off by 2^8, with its own rounding. That is less than [`OFF`].
 #[inline(never)]
 pub(super) fn meet<const CLOSED: bool>(a: &[Vec2; 4], b: &[Vec2; 4]) -> bool {
     let (p, q) = (Corners::of(a), Corners::of(b));

@@ -190,9 +190,11 @@ pub(super) fn of_capsules(a: &impl Convex, b: &impl Convex) -> Option<Gaps<2>> {
     of_segments(a.ends()?, b.ends()?)
 }
 
-/// Two sides of a box and the corners of another one that are nearest to their lines; and zero if a
-/// side of both is parallel. `sides` and the next two are those of the boxes, and `way` leads from
-/// the middle of the first one to that of the other.
+/// The gaps between two sides of a box and the corners of another box that are nearest to their
+/// lines. The second number is zero if a side of one box is parallel to a side of the other.
+///
+/// `sides` are of the first box, and the next two of the other. `way` leads from the middle of the
+/// first box to that of the other.
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "exact for short vectors")]
 fn before(sides: [Two; 2], [s, t]: [Two; 2], way: Two) -> (TwoGaps, f64) {

@@ -10,9 +10,12 @@ use crate::query::contact::Contact;
 /// A part of a shape's border, by its index. The index stays the same while the shape moves, and
 /// while a box turns.
 ///
-/// Corners are counted from the `min` of a box or [`corners`](crate::OrientedBox::corners)`()[0]`,
-/// from the lexicographically first end of a segment, or from the first vertex of a polygon. A side
-/// has the index of the corner at which it begins, counter-clockwise (y up).
+/// A side has the index of the corner at which it begins, counter-clockwise (y up). Corners are
+/// counted from these:
+///
+/// - the `min` of a box, or [`corners`](crate::OrientedBox::corners)`()[0]`;
+/// - the lexicographically first end of a segment;
+/// - the first vertex of a polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Part {
@@ -38,11 +41,12 @@ pub struct ManifoldPoint {
 /// How two shapes rest on each other: the shortest way out, and one or two points that share it.
 ///
 /// The axis is that of [`contact`](crate::query::Contacts::contact). Between boxes, circles and
-/// segments it may have another length, and be another shortest way out if there are several. The
-/// first point is the deepest one, and is exact. There is a second one if a side of one shape leans
-/// on a side of the other: the other end of the part where they face each other. It is within a raw
-/// unit of the exact point, and has its own depth, rounded up. If the two sides beside the deepest
-/// corner are equally steep, neither leans, and there is one point.
+/// segments it may have another length, and be another shortest way out if there are several.
+///
+/// The first point is the deepest one, and is exact. There is a second one if a side of one shape
+/// leans on a side of the other. It is the other end of the part where they face each other. It is
+/// within a raw unit of the exact point, and has its own depth, rounded up. If the two sides beside
+/// the deepest corner are equally steep, neither leans, and there is one point.
 ///
 /// ```text
 ///      +-------+
@@ -129,8 +133,8 @@ fn both(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Mani
     Manifold { first, second: apart.then_some(second) }
 }
 
-/// For a side and the deepest corner behind it: that corner, and the end of the flatter side beside
-/// it, cut to the part that faces the side.
+/// The manifold for a side and the deepest corner behind it. The second point is the end of the
+/// flatter side beside that corner, cut to the part that faces the side.
 fn one(contact: &Contact, side: &PolygonSide, a: Core<'_>, b: Core<'_>) -> Manifold {
     // Whether A is the one that leans on a side of B.
     let on_a = side.of_b;

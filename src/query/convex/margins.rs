@@ -1,7 +1,7 @@
 //! How far the sides of two boxes are from separating them.
 //!
-//! The sum of two boxes is its own mirror image, so each two of its sides are one question: whether
-//! the other middle is nearer than half of the widths of both.
+//! The sum of two boxes is its own mirror image, so two opposite sides are one question. Across
+//! them, is the distance of the middles less than half of the two widths together?
 
 use crate::num::{Raw, leading_zeros32};
 

@@ -376,10 +376,10 @@ macro_rules! points {
             /// hits at 0. A shape without area and radius acts as a [segment](Segment::cast_ray) or
             /// a point. At a sharp corner the side whose normal is more along x is hit.
             ///
-            /// The time at a sharp side is the exact floor. At rounded ones it is a lower bound,
-            /// early by less than a raw unit of travel for motions up to 4096 units, and by less
-            /// than four for any. The displacement is never inside, and less than 2 raw short of
-            /// the border for motions up to 4096 units.
+            /// The time at a sharp side is the exact floor. At a rounded shape it is a lower bound.
+            /// It is early by less than a raw unit of travel for motions up to 4096 units, and by
+            /// less than four for any. The displacement is never inside, and less than 2 raw short
+            /// of the border for motions up to 4096 units.
             ///
             /// Cost: two products for each side, and one root if a slanted side or a corner of a
             /// rounded shape is hit.

@@ -65,9 +65,9 @@ impl ArcCell {
 
     /// Whether a shape overlaps, or touches, the rest of the square.
     ///
-    /// The point of a convex part of the square farthest from the centre is one of its corners: a
-    /// corner of the shape, or on the border. On the sides through the centre only the ends are
-    /// solid, and these are also ends of the far sides.
+    /// In a convex part of the square, the point farthest from the centre is one of its corners.
+    /// That is a corner of the shape, or is on the square's border. On the sides through the centre
+    /// only the ends are solid, and these are also ends of the far sides.
     pub(crate) fn concave_meets<const CLOSED: bool>(&self, core: Core<'_>) -> bool {
         let s = self.side;
         let rest = s.wrapping_sub(core.radius);
@@ -102,8 +102,9 @@ impl ArcCell {
     /// Whether the core has a point of the closed quadrant that is nearer to the centre than
     /// `reach`, or as near where `CLOSED`.
     ///
-    /// The nearest one is the centre, a corner, a foot on a side, or where a side leaves the
-    /// quadrant: on the quadrant's border inside of the shape others are nearer.
+    /// The nearest point is the centre, a corner, a foot on a side, or a point where a side leaves
+    /// the quadrant. Other points of the quadrant's border in the shape have nearer ones beside
+    /// them.
     fn reaches_sector<const CLOSED: bool>(&self, core: Core<'_>, reach: i32) -> bool {
         // Up to the arc's end, which only closed sets hold.
         let along = |a: Raw, b: Raw| crosses(a, b, reach) || (CLOSED && crosses_at(a, b, reach));

@@ -1,9 +1,9 @@
 //! Whether two polygons overlap, by the leading bits of their corners.
 //!
-//! For cores on which a long product is a call: with products of words, each side against a point
-//! between the polygons, and then against the corners of the other one. Most that overlap have that
-//! point in common: it takes half of the instructions of sides and corners. Few pairs need a walk
-//! around the sum.
+//! This is for cores on which a long product is a call. With products of words, it tests each side
+//! against a point between the polygons, then against the corners of the other polygon. Most
+//! polygons that overlap have that point in common, which takes half of the instructions of sides
+//! and corners. Few pairs need a walk around the sum.
 
 use super::margins::{shift_to, short, short_cross, spread};
 use super::walk::Core;
@@ -13,8 +13,9 @@ use core::mem::replace;
 /// The most corners of a polygon with short sides.
 const CORNERS: usize = 8;
 
-/// A component loses less than one, both in a corner and in a side. So a product of a side and a
-/// difference of corners, below 2^14 each, is off by less than the sum of their components and two.
+/// A component loses less than one, both in a corner and in a side. All components of a side and of
+/// a difference of corners are below 2^14. Their product is off by less than the sum of the four,
+/// and two.
 const OFF: i32 = (1 << 16) + 2;
 
 /// The corners of a polygon, relative to a near point, with 13 bits and a sign.

@@ -73,8 +73,8 @@ impl TwoSegments {
         Some(nearest.place())
     }
 
-    /// The side of the sum that is of one segment, and that the origin is on the right of: with the
-    /// height, and the corners that it ends at.
+    /// The side of the sum that comes from one segment and has the origin on its right. Also
+    /// returns the height of the origin, and the corners at which the side ends.
     #[inline(always)]
     fn side(&self, heights: (i64, i64), of_a: bool) -> (PolygonSide, u64, (usize, usize)) {
         let (is_last, height) = nearer(heights);
@@ -107,8 +107,8 @@ pub(super) const fn end_of([first, last]: [Raw; 2], index: usize) -> Raw {
     if index == 0 { first } else { last }
 }
 
-/// Whether the end of a segment that is nearest to the line of another one is near enough to that;
-/// none if the other side has to tell. `from` is the way to it from the start of `edge`.
+/// Whether an end of a segment is near enough to another segment; `None` if the other side decides.
+/// It is the end nearest to the line of `edge`, and `from` leads to it from the start of `edge`.
 #[inline(always)]
 const fn near_end<const CLOSED: bool>(from: Offset, edge: Offset, height: i64, radius: i32) -> Option<bool> {
     if !near_line::<CLOSED>(height, radius, edge.len2()) {

@@ -1,9 +1,9 @@
 //! The border of A + (-B), side by side: the basis of every query about two convex shapes.
 //!
-//! A and B overlap where the origin is inside that sum, and its sides are those of A and the
-//! reversed ones of B in the order of their directions. They are merged one at a time: no list is
-//! kept, and parallel sides come once, as one. One product pair a side orders it, one asks it where
-//! the origin is.
+//! A and B overlap if the origin is inside that sum. Its sides are those of A and the reversed
+//! sides of B, in the order of their directions. They are merged one at a time, without a list, and
+//! parallel sides become one. Per side, one pair of products finds its turn, and one finds on which
+//! side the origin is.
 
 use crate::num::{Axis, Raw, SPLIT, Vec2, imul};
 use crate::query::cast::moment::along;
@@ -32,8 +32,9 @@ impl Core<'_> {
         if index < count { index } else { index.wrapping_sub(count) }
     }
 
-    /// The ends of what is nearest to a face in the direction `dir`, which is below it: of a side
-    /// that is parallel to it the two corners, in that direction.
+    /// The ends of the part that is nearest to a face with the direction `dir`, in that direction.
+    /// They differ if a side is parallel to the face. The shape is where the normal (dir.y, -dir.x)
+    /// points.
     ///
     /// Corners are below 2^29 and directions below 2^30: products are below 2^60.
     pub(crate) fn facing(&self, dir: Axis) -> (usize, usize) {

@@ -1,8 +1,8 @@
 //! Rays through any level: questions, answers, and how a ray meets one piece of a surface.
 //!
 //! Whether a piece is hit is decided exactly, without root or division. The time is an exact
-//! fraction, or a lower bound within an arc. This module also has the walk over the cells, the
-//! engine that finds the hits in order, and the trait of the levels that a ray can meet.
+//! fraction, or a lower bound within an arc. This module also has the walk over the cells, and the
+//! engine that finds the hits in order. The trait of the levels that a ray can meet is here too.
 
 pub(in crate::world) mod scan;
 #[cfg(test)]
@@ -206,8 +206,9 @@ impl Touch {
         !b.before::<L>(a) && self.ranks_above(of, other, d)
     }
 
-    /// At one moment: the normal that is more along x, then the one that opposes the motion more,
-    /// then +x, then +y; then straight before round.
+    /// Whether this hit wins over another one at the same moment. The normal that is more along x
+    /// wins, then the one that opposes the motion more, then +x, then +y. Then a straight piece
+    /// wins over a round one.
     #[inline(never)]
     pub(in crate::world) fn ranks_above(&self, of: &Feature, other: &Met, d: Raw) -> bool {
         let (n, m) = (self.normal, other.touch.normal);
@@ -392,14 +393,15 @@ pub(in crate::world) fn arc_contact(m: Raw, d: Raw, radius: i32, convex: bool) -
     (toi, Raw { x: toi.of_raw_beside(m.x, d.x, convex), y: toi.of_raw_beside(m.y, d.y, convex) })
 }
 
-/// T = (b -+ root) / a with root = sqrt(r^2 a - cross^2), b = -m.d: of the entry, c / (b + root)
-/// with c = |m|^2 - r^2, which has no cancellation; of the exit (b + root) / a, or -c / (root - b)
-/// where b < 0 (from inside, moving away from the centre).
+/// T = (b -+ root) / a, with root = sqrt(r^2 a - cross^2) and b = -m.d. For the entry that is c /
+/// (b + root) with c = |m|^2 - r^2, which has no cancellation. For the exit it is (b + root) / a.
+/// If b < 0 (from inside, moving away from the centre), it is -c / (root - b).
 ///
-/// Numerators are rounded down, denominators up, in 31 bits: with the quotient's floor, early by
-/// less than 3 parts in 2^30 of the motion. Where all are smaller, the root is off by less than
-/// one: of the entry that is c / (b + root)^2, and c <= b^2 / |d|^2, so 1 / |d| of way; of the exit
-/// as much. Together less than a raw unit of way for motions up to 4096 units.
+/// Numerators are rounded down, denominators up, in 31 bits. With the quotient's floor, T is early
+/// by less than 3 parts in 2^30 of the motion. If all numbers are smaller, the root is off by less
+/// than one. For the entry, T is then off by c / (b + root)^2, and c <= b^2 / |d|^2, so by 1 / |d|
+/// of distance. For the exit it is as much. Together that is less than a raw unit of distance for
+/// motions up to 4096 units.
 fn time(m: Raw, d: Raw, r: u32, convex: bool) -> Toi {
     let (rr, a) = (usqr(r), d.len2());
     let square = sub128(mul64(rr, a), sqr64(m.cross(d).unsigned_abs()));

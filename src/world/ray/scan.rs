@@ -279,8 +279,8 @@ pub(in crate::world) fn hit_of(feature: &Feature, (toi, at, axis): (Toi, Raw, Ax
     }
 }
 
-/// The time and the way of a hit at a fraction of the motion, exactly rounded: a coordinate toward
-/// the start, or toward the end where that is the normal's side.
+/// The time and the displacement of a hit at a fraction of the motion, exactly rounded. A
+/// coordinate is rounded toward the start, or toward the end if that is the normal's side.
 pub(in crate::world) fn straight<L: RayPieces>(d: Raw, time: Time, normal: Axis) -> (Toi, Raw, Axis) {
     let toi = Toi::clamped(part::<L>(Toi::ONE.raw(), time).0);
     let by = Raw { x: signed::<L>(d.x, normal.x, time), y: signed::<L>(d.y, normal.y, time) };

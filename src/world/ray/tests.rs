@@ -12,9 +12,9 @@ mod walk {
 
     const FAR: i128 = 1 << 40;
 
-    /// The cells that a ray touches, grouped by the moment at which it first does: from the closed
-    /// intervals of time in which it is in their columns and rows. Moments are multiplied by both
-    /// components of the motion.
+    /// The cells that a ray touches, grouped by the moment at which it first does. They follow from
+    /// the closed intervals of time in which the ray is in their columns and rows. Moments are
+    /// multiplied by both components of the motion.
     fn expected(grid: &Grid, beyond: Beyond, o: [i128; 2], d: [i128; 2]) -> Vec<Vec<Cell>> {
         let scale = d.map(|d| d.abs().max(1));
         let whole = scale[0] * scale[1];

@@ -153,8 +153,8 @@ fn leads_on(side: &Lane, count: u32, beyond: Beyond) -> bool {
 ///        c | c               |                a/  | b            | c
 /// ```
 ///
-/// The cells of a step (`c`, and `b` at a corner) are those in which the ray has a point from now
-/// on and had none before. At the start that includes those behind a line on which it starts.
+/// The cells of a step are `c`, and `b` at a corner. From now on the ray has a point in them, and
+/// it had none before. At the start that includes the cells behind a line on which it starts.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::world) struct RayWalk {
     pub(in crate::world) x: Lane,
@@ -215,8 +215,8 @@ impl RayWalk {
         Some((x, y))
     }
 
-    /// At the start: whether something holds in all cells that the start touches or, with a motion,
-    /// in all that the ray is in just after.
+    /// Whether something holds in all cells that the start touches. With `just_after`, only the
+    /// cells count that the ray is in just after the start.
     pub(in crate::world) fn all_at_start(&self, just_after: bool, cell: u32, test: impl Fn(i32, i32) -> bool) -> bool {
         let wide = if just_after { along(&self.x, &self.y, cell) } else { self.wide };
         let mut number = 4u32;

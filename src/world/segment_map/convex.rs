@@ -34,16 +34,16 @@ impl SegmentMap<'_> {
         self.winding_toward(p, beside, next.sub(p).add(last.sub(p)), true) > 0
     }
 
-    /// The winding number just ahead of a point in a direction, below 2^31 a component: on the left
-    /// of a segment that leaves it in that direction, or on its right.
+    /// The winding number just ahead of a point in a direction, below 2^31 per component. It is
+    /// that on the left of a segment that leaves the point in this direction, or on its right.
     fn winding_toward(&self, p: Raw, beside: i32, dir: Raw, on_left: bool) -> i32 {
         let way = Spoke { dir, change: 0 };
         let passed = |ray: &Spoke| ray.up_to(&way) && (on_left || !way.up_to(ray));
         self.spokes(p).filter(passed).fold(beside, |w, ray| w.wrapping_add(ray.change))
     }
 
-    /// Whether the inside of the solid has a point between two points: both sides of the line are
-    /// solid, at its start or after a crossing.
+    /// Whether the inside of the solid has a point between two points. Then both sides of the line
+    /// are solid, at its start or after a crossing.
     ///
     /// Cost: the square of the number of the level's segments. It is used only for shapes without
     /// area that are not along x or y.

@@ -125,7 +125,7 @@ pub(super) const fn edges(path: &Path<'_>) -> usize {
 /// The sign of a polygon's signed area: 1 if the inside is on the left.
 ///
 /// The triangles of the first point and an edge are below 2^61 (twice their area), and fewer than
-/// 2^31: the sum is kept as two, one of the low words and one of the high.
+/// 2^31. So the sum is kept as two: one of the low words and one of the high words.
 pub(super) const fn area_sign(path: &Path<'_>) -> i32 {
     let first = point(path, 0);
     let (mut high, mut low) = (0i64, 0i64);

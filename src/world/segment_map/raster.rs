@@ -26,10 +26,10 @@ pub(super) struct Row {
 ///   +---+---+---+
 /// ```
 ///
-/// Read from the end with the smaller y, in the mirror where x falls: from `(u0, v0)` both
-/// coordinates grow, in the ratio of `p` and `q`. In each row, the first column is the first one
-/// whose far side is not left of where the segment enters. The last is the last one whose near side
-/// is not right of where it leaves. Neither falls from row to row.
+/// A segment is read from the end with the smaller y, in the mirror if x falls. From `(u0, v0)`
+/// both coordinates grow, in the ratio of `p` and `q`. In each row, the first column is the first
+/// one whose far side is not left of where the segment enters. The last is the last one whose near
+/// side is not right of where it leaves. Neither falls from row to row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows {
     row: i32,
@@ -175,8 +175,8 @@ impl SegmentMap<'_> {
         before.wrapping_add(self.passed(cell, y, left)).wrapping_sub(self.passed(cell, y, start))
     }
 
-    /// The change of the winding number at segments of a cell that cross the height of `r` at `r`
-    /// or before it, from left to right.
+    /// The change of the winding number at segments of a cell that cross the height of `r`, from
+    /// left to right. Only crossings at `r` or before it count.
     ///
     /// Just above `r`, segments that end at its height from below are gone, and those that start
     /// there upward have begun. The slope of a segment moves its crossing by a part of the smaller

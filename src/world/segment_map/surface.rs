@@ -217,7 +217,7 @@ impl SegmentMap<'_> {
     ///
     /// It does if the surface continues straight, or turns toward the front and is solid up to
     /// beyond `p`. It does not if the face meets a wall or a spike from below, or the surface of a
-    /// solid that contains it, because a body above reaches `p`.
+    /// solid that contains it. A body above then reaches `p`.
     ///
     /// ```text
     ///      |####        ####|####         box                 f: the face, its front is on the right

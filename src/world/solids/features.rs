@@ -1,5 +1,5 @@
-//! The faces and corners of solids: those of a list of boxes that no other box of the list covers,
-//! and the border of a convex solid.
+//! The faces and corners of solids. In a list of boxes, these are the ones that no other box of the
+//! list covers. A convex solid has those of its border.
 
 use super::solid::{Side, Solid};
 use crate::num::{Axis, Raw};
@@ -144,7 +144,7 @@ pub(super) fn quadrants(list: &[Solid], p: Raw) -> PieceSet {
     bits
 }
 
-/// Whether the points just in front of a face are in other boxes from end to end: from one end on,
+/// Whether the points just in front of a face are in other boxes from end to end. From one end on,
 /// the box that reaches farthest leads to the next.
 fn covered(list: &[Solid], solid: &Solid, k: u8) -> bool {
     let (lo, hi) = (solid.lo(), solid.hi());

@@ -2,9 +2,9 @@
 //!
 //! Its surface consists of the faces and corners of each box that no other box of the list covers.
 //!
-//! At a point, a box fills some of the four quadrants around it. Around a box's own corner c,
-//! counted as its faces are, it fills quadrant c + 2; those beside that one are c + 1 and c + 3,
-//! the one across is c:
+//! At a point, a box fills some of the four quadrants around it. Corners are counted as faces are.
+//! Around its own corner c, a box fills quadrant c + 2. The quadrants beside that one are c + 1 and
+//! c + 3, and the one across is c:
 //!
 //! ```text
 //!    0 | 1        corner 0 of a box (its minimum) has the box in quadrant 2,
