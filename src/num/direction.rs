@@ -187,7 +187,7 @@ impl Axis {
     }
 }
 
-/// The product, of which the first factor often is a unit.
+/// The product of two words, the first of which is often 1 or -1.
 #[inline]
 const fn times(a: i32, b: i32) -> i64 {
     match a {
@@ -298,8 +298,8 @@ impl UnitVec2 {
     }
 }
 
-/// `unit * length / 2^30`, toward zero: |unit| is at most 2^30, so it is as large as the length at
-/// most, 2^31; that saturates if it is positive.
+/// `unit * length / 2^30`, rounded toward zero. |unit| is at most 2^30, so the result is at most as
+/// large as the length. A positive 2^31 saturates.
 const fn part(unit: i32, length: i32) -> i32 {
     let size = (umul(unit.unsigned_abs(), length.unsigned_abs()) >> 30) as u32;
     if (unit < 0) != (length < 0) {
@@ -340,8 +340,8 @@ const fn normalise(axis: Axis) -> Normalised {
     Normalised { x, y, recip: rsqrt(h), halve }
 }
 
-/// Both components rounded to nearest; the root's error adds up to one unit to the half of
-/// rounding.
+/// The unit vector, both components rounded to nearest. The root's error adds up to one unit to the
+/// half unit of rounding.
 #[inline(never)]
 pub(super) const fn unit_nearest(axis: Axis) -> UnitVec2 {
     if axis.y == 0 {

@@ -2,12 +2,12 @@
 
 use super::wide::{LONG, SPLIT, imul, mul64, umul};
 
-/// `round(256 / sqrt((i + 0.5) / 128)) - 256` for i in 32..128, at most 255. Nothing asks for the
-/// first quarter, with which the top seven bits of a word are the index.
+/// `round(256 / sqrt((i + 0.5) / 128)) - 256` for i in 32..128, at most 255. The first quarter is
+/// never read: with it, the top seven bits of a word are the index.
 const RSQRT_TABLE: [u8; 128] = rsqrt_table();
 
-/// Twice the nearest integer decision of `256 / sqrt(u)`, `u = (2i + 1) / 256`: the largest t with
-/// (2t - 1)^2 u <= 512^2.
+/// Rounds `256 / sqrt(u)` to nearest, with `u = (2i + 1) / 256`: the largest t with (2t - 1)^2 u <=
+/// 512^2.
 #[expect(clippy::indexing_slicing, reason = "bounded by the loop; runs in the compiler")]
 const fn rsqrt_table() -> [u8; 128] {
     let mut table = [0u8; 128];
@@ -40,8 +40,8 @@ const fn rsqrt_seed(h: u32) -> u32 {
 
 /// The reciprocal square root `2^31 / sqrt(h / 2^32)` of a normalised word.
 ///
-/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`. A
-/// call where the multiplications are calls as well.
+/// `h` must be in `[2^30, 2^32)`. The error is within -1.53 and +2.00, checked for every `h`. It is
+/// a call where multiplications are calls as well.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 #[must_use]
@@ -314,8 +314,8 @@ pub const fn recip(d: u32) -> u32 {
 
 /// The exact floor of `a * b / d`; `u32::MAX` where that does not fit, or `d` is zero.
 ///
-/// No division on chips: about 150 instructions on a Cortex-M0 where the compiler's 64-bit division
-/// takes 450.
+/// There is no division on chips. It takes about 150 instructions on a Cortex-M0, where the
+/// compiler's 64-bit division takes 450.
 #[inline(never)]
 #[must_use]
 pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
@@ -337,7 +337,7 @@ pub const fn mul_div(a: u32, b: u32, d: u32) -> u32 {
     if LONG { divided(n, d as u64) } else { by_reciprocal(n, d) }
 }
 
-/// By the processor, for quotients that fit.
+/// Divides by the processor's instruction, for quotients that fit.
 #[inline(always)]
 const fn divided(n: u64, d: u64) -> u32 {
     match n.checked_div(d) {
@@ -383,8 +383,8 @@ pub(super) const fn by_reciprocal(n: u64, d: u32) -> u32 {
 /// The exact floor of `a * k / n`, for `n <= 2^63`; `u32::MAX` where it does not fit, or `n` is
 /// zero.
 ///
-/// As fast as [`mul_div`] if `a` and `n` are words, else some 700 instructions on a Cortex-M0. For
-/// rare results that must be exact: points on segments, replies of velocities.
+/// As fast as [`mul_div`] if `a` and `n` are words, else some 700 instructions on a Cortex-M0. Use
+/// it for rare results that must be exact: points on segments, replies of velocities.
 #[inline(never)]
 #[must_use]
 pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
@@ -399,8 +399,8 @@ pub const fn mul_div_wide(a: u64, k: u32, n: u64) -> u32 {
     if LONG && hi == 0 { divided(lo, n) } else { by_wide_reciprocal((top, lo), n) }
 }
 
-/// The floor of a product of 96 bits, by its top 64 and its low 64, with `n`, which is above the
-/// top.
+/// The floor of a product of 96 bits over `n`. The product is given by its top 64 and its low 64
+/// bits, and `n` is above the top.
 #[inline(always)]
 pub(super) const fn by_wide_reciprocal((top, lo): (u64, u64), n: u64) -> u32 {
     // With N = n 2^shift >= 2^63 and P = a k 2^shift < 2^32 N: P / N from the top 64 bits of the 96

@@ -40,8 +40,8 @@ impl Raw {
         super::dot(self.x, o.x, self.y, o.y)
     }
 
-    /// [`dot`](Self::dot) and [`cross`](Self::cross): where a product is a call, three of them do
-    /// (Gauss). Operands and their sums below 2^31.
+    /// [`dot`](Self::dot) and [`cross`](Self::cross). Where a product is a call, it makes three
+    /// calls instead of four (Gauss). Operands and their sums below 2^31.
     #[inline]
     pub(crate) const fn dot_cross(self, o: Self) -> (i64, i64) {
         if !SPLIT {

@@ -101,8 +101,8 @@ const fn near(a: i64, b: i64) -> i32 {
     if sum < 0 { size.wrapping_neg() } else { size }
 }
 
-/// `2^34 / (2 pi)`, parts of a turn per radian, and 32 bits of its fraction. Times a significand
-/// that is off by one part at most.
+/// `2^34 / (2 pi)`, parts of a turn per radian, and 32 bits of its fraction. Its product with a
+/// significand is off by one part at most.
 const PARTS: [u32; 2] = [2_734_261_102, 1_313_084_713];
 
 /// The direction at an angle in parts of 2^32 of a turn.

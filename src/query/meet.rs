@@ -58,8 +58,9 @@ pub(super) const fn by_octagons<const CLOSED: bool>(x: u32, y: u32, r: u32) -> b
     if above < r || (CLOSED && above == r) {
         return true;
     }
-    // |v| >= (x + y)/sqrt(2), and this is at least 23/16 r > sqrt(2) r for r > 0: from there on a point is outside the closed disc as
-    // well. r = 0 does not occur here: strict, no square has a point; closed, it was accepted.
+    // As |v| >= (x + y)/sqrt(2), a point with a sum from `outer` on is outside the closed disc:
+    // that is at least 23/16 r > sqrt(2) r for r > 0. r = 0 does not occur here: strict, no square
+    // has a point; closed, it was accepted.
     let outer = r.wrapping_add(r.wrapping_add(1) >> 1).wrapping_sub(r >> 4);
     if sum >= outer {
         return false;

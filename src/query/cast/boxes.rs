@@ -19,8 +19,8 @@ pub struct SideMoment {
 /// One component of a motion toward an interval.
 #[derive(Clone, Copy)]
 pub(crate) struct Span {
-    /// How far it is to the interval's near end, negative within; and to its far end. The first is
-    /// never the larger.
+    /// The distance to the interval's near end, negative inside, and to its far end. The first is
+    /// never the larger one.
     pub(crate) gap: i32,
     pub(crate) leave: i32,
     /// Not negative.
@@ -37,8 +37,8 @@ impl Span {
         }
     }
 
-    /// Whether a part of the motion is strictly between the ends. Intervals of no length, both of
-    /// them, have no between.
+    /// Whether a part of the motion is strictly between the ends. If both intervals have no length,
+    /// nothing is between them.
     const fn passes(self) -> bool {
         self.gap < self.speed && self.leave > 0 && self.gap < self.leave
     }
@@ -55,8 +55,8 @@ impl Span {
 
 /// The side of the box `blo..bhi` that the box `alo..ahi` meets when it moves by `d`.
 ///
-/// Before a motion boxes overlap where they are within both spans; then no motion leaves one
-/// without a part of it inside.
+/// Boxes overlap before the motion if they are within both spans. No motion leaves a span from
+/// there without a part of it inside.
 #[inline(always)]
 pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Course<SideMoment> {
     let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
@@ -70,14 +70,14 @@ pub(super) fn enter_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Cours
 }
 
 /// The side through which the box `alo..ahi` that moves by `d` starts to overlap the box
-/// `blo..bhi`, where it does not overlap already.
+/// `blo..bhi`, if it does not overlap already.
 #[inline]
 pub(super) fn meet_box(alo: Raw, ahi: Raw, blo: Raw, bhi: Raw, d: Raw) -> Option<SideMoment> {
     let (x, y) = (Span::new(alo.x, ahi.x, blo.x, bhi.x, d.x), Span::new(alo.y, ahi.y, blo.y, bhi.y, d.y));
     if x.passes() && y.passes() { later(x, y, d) } else { None }
 }
 
-/// The side of the span that is entered later, one of the two not being entered yet.
+/// The side of the span that is entered later. At least one of the two is not entered yet.
 ///
 /// The motion is strictly within both spans at one time if the later entry comes before the earlier
 /// exit. If two entries are at the same moment, corner to corner, it is the one that opposes the
@@ -106,7 +106,7 @@ impl Moment for SideMoment {
         Toi::exact(if self.gap == 0 { 0 } else { fraction(self.gap, self.speed) })
     }
 
-    /// On the side's axis exact, on the other one rounded toward the start: the box ends on the
+    /// Exact on the side's axis, and rounded toward the start on the other one. The box ends on the
     /// side's line, so it does not overlap.
     #[inline]
     fn contact(&self, d: Raw) -> (Toi, Raw, Axis) {
@@ -148,10 +148,10 @@ pub enum Rounded {
     Corner(Disc),
 }
 
-/// The only part of a rounded box that a motion can come in through.
+/// The only part of a rounded box through which a motion can enter.
 #[derive(Clone, Copy)]
 pub(super) enum BoxGate {
-    /// A side, which it does come through.
+    /// A side, through which it enters.
     Side(SideMoment),
     /// The disc around a corner.
     Corner(Raw),
@@ -233,7 +233,7 @@ pub(super) fn straight_contact(circle: &Circle, s: &Segment, d: Raw) -> Course<(
     straight(circle, s, d).then(|gate| gate.contact(circle, d))
 }
 
-/// Where it can.
+/// Where a circle can meet a segment along x or y.
 #[inline(always)]
 pub(super) fn straight(circle: &Circle, s: &Segment, d: Raw) -> Course<BoxGate> {
     if circle.overlaps(s) {
@@ -243,8 +243,7 @@ pub(super) fn straight(circle: &Circle, s: &Segment, d: Raw) -> Course<BoxGate> 
     Course::of(gate(circle, &Aabb::from_raw_unchecked(lo, hi), d))
 }
 
-/// Whether the motion comes into the capsule's bounding box, which most misses do not, or starts
-/// there.
+/// Whether the motion enters the capsule's bounding box, or starts in it. Most misses do neither.
 #[inline(never)]
 pub(super) fn comes_near(circle: &Circle, a: Raw, b: Raw, d: Raw) -> bool {
     let (lo, hi) = corners(a, b);

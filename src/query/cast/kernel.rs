@@ -180,9 +180,9 @@ pub struct CastHit {
     /// raw units short. If a [`Compound`](crate::shape::Compound) is met between two parts, the
     /// displacement is reduced until it overlaps neither.
     ///
-    /// It may be longer than the exact way by less than a raw unit, where that is free. Along an
-    /// axis parallel to x or y it is exact. Each component is between zero and that of the
-    /// motion. So if the motion stays in the domain, the moved shape does, too.
+    /// It may exceed the exact distance by less than a raw unit, if that is free. Along an axis
+    /// parallel to x or y it is exact. Each component is between zero and that of the motion. So if
+    /// the motion stays in the domain, the moved shape does, too.
     pub displacement: Vec2,
     /// Whether the shapes overlapped before the motion; only with [`Inside::Hit`]. The displacement
     /// is then zero, and the axis is opposite to the larger component of the motion (x on a tie).

@@ -1,6 +1,6 @@
 //! When a moving point enters a disc, or reaches the flat side of a grown segment or slope.
 //!
-//! Moments that are no fractions of integers are lower bounds in parts of 2^30, never late.
+//! Moments that are not fractions of integers are lower bounds in parts of 2^30, never late.
 
 use super::kernel::{Course, Moment};
 use crate::num::{
@@ -15,7 +15,7 @@ use core::cmp::{Ordering, Reverse};
 ///
 /// This form has no cancellation. The root and the denominator are rounded up, the numerator and
 /// the quotient down, so it is never late. Each step keeps 31 bits or whole raw units: it is early
-/// by less than a raw unit of way.
+/// by less than a raw unit of travel.
 #[inline(never)]
 pub(crate) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
     let (word, shift) = word(b.wrapping_add(root128_up(sub128(rra, sqr_signed(cross)))));
@@ -25,7 +25,7 @@ pub(crate) fn entry_time(c: u64, b: u64, rra: (u64, u64), cross: i64) -> Toi {
 /// When a point leaves a disc: a lower bound of `(b + sqrt(rra - cross^2)) / a`, with b = -m.d and
 /// a = |d|^2, `inner` = r^2 - |m|^2.
 ///
-/// If b is not positive (then the point starts inside), the same without cancellation, as above:
+/// If b is not positive, the point starts inside. Then this has no cancellation either:
 /// `inner / (|b| + sqrt(..))`.
 #[inline(never)]
 pub(crate) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64) -> Toi {
@@ -41,8 +41,8 @@ pub(crate) fn exit_time(inner: u64, b: i64, a: u64, rra: (u64, u64), cross: i64)
 /// for gap^2 >= reach and a result up to one.
 ///
 /// As `(gap^2 - reach) / ((gap + sqrt(reach)) into)`, which has no cancellation either. Everything
-/// is scaled to the full width first. Each rounding is then one of 31 bits: below a raw unit of way
-/// for motions up to 2^27 raw.
+/// is scaled to the full width first. Each rounding is then one of 31 bits: below a raw unit of
+/// travel for motions up to 2^27 raw.
 #[inline(never)]
 pub(crate) fn gap_time(gap: u64, into: u64, reach: (u64, u64)) -> Toi {
     // Below 2^61; the square of the gap, and the reach with it, below 2^122.
@@ -103,9 +103,11 @@ const fn shift_left(a: (u64, u64), by: u32) -> (u64, u64) {
     }
 }
 
-/// The last moment, in parts of 2^30, at which something has not happened yet: not at `from`, and
-/// once it has, it stays so. Only a ray may end before it happens, exactly at the border. Doubled
-/// steps, then halved ones: twice the bits of what `from` is short by, at most 60 questions.
+/// The last moment, in parts of 2^30, at which something has not happened yet.
+///
+/// It has not happened at `from`, and once it has, it stays so. Only a ray may end before it
+/// happens, exactly at the border. Steps are doubled, then halved. The questions are twice the bits
+/// by which `from` is short, at most 60.
 pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
     let (mut last, mut step) = (from.raw(), 1u32);
     let mut before = |step: u32| {
@@ -129,7 +131,7 @@ pub(super) fn last_before(from: Toi, happened: impl Fn(u32) -> bool) -> Toi {
 /// `dir . v`; for the slopes of tiles, whose components are at most 2, with two products of words:
 /// |v| is below 2^30.
 pub(crate) fn along(dir: Axis, v: Raw) -> i64 {
-    // Where a product is one instruction, it is less than to tell.
+    // A product that is one instruction costs less than this test.
     if !LONG && is_small(dir) {
         i64::from(dir.x.wrapping_mul(v.x)).wrapping_add(i64::from(dir.y.wrapping_mul(v.y)))
     } else {
@@ -267,8 +269,8 @@ impl Crossing {
         m.len2() < self.rr
     }
 
-    /// For a ray from `m`, which a touch stops, also from the rim and up to it. A tangent does not
-    /// enter.
+    /// For a ray from `m`, which stops at a touch, also one from the rim or up to it. A tangent
+    /// does not enter.
     pub(crate) fn touching(m: Raw, r: i32, d: Raw) -> Option<Self> {
         let b = m.dot(d).wrapping_neg();
         if b <= 0 {
@@ -323,8 +325,8 @@ pub(crate) fn enters(m: Raw, r: i32, d: Raw) -> bool {
     passes(cross, r as u32, d) && ((b as u64) < square(d) || square(m.add(d)) < usqr(r as u32))
 }
 
-/// Whether `|cross| < r |d|`, exactly: as squares of 124 bits. Where these are dear, bounds of the
-/// length mostly settle it by one product of words each.
+/// Whether `|cross| < r |d|`, exactly: as squares of 124 bits. If these are expensive, bounds of
+/// the length mostly settle it, by one product of words each.
 #[inline]
 fn passes(cross: i64, r: u32, d: Raw) -> bool {
     if LONG {
@@ -358,7 +360,7 @@ pub(crate) fn direction(m: Raw) -> Axis {
     if m.x == 0 || m.y == 0 { Axis::new(m.x.signum(), m.y.signum()) } else { Axis::new(m.x, m.y) }
 }
 
-/// A disc around the origin that a point comes into.
+/// A disc around the origin that a point enters.
 #[derive(Clone, Copy, Debug)]
 pub struct Disc {
     m: Raw,

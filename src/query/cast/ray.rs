@@ -17,7 +17,7 @@ impl Aabb {
     /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A ray that moves
     /// against the normal of a side hits it, ends and the very end of the motion included. Touching
     /// a corner is a hit, on the side across x. A start on the border is not inside: a ray that
-    /// moves in hits at 0. Leaving, passing a corner and sliding along are no hits. A ray that
+    /// moves in hits at 0. Leaving, passing a corner and sliding along are not hits. A ray that
     /// starts on a box without width or height, and leaves its line, hits it, too.
     ///
     /// [`CastHit::displacement`] is the vector from `origin` to the point: exact along the axis,
@@ -50,9 +50,9 @@ impl Circle {
     /// it ends before.
     ///
     /// Exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray). A hit is the point
-    /// at which the ray enters the disc, even at the very end of the motion. A tangent is no hit. A
-    /// ray that starts on the rim and moves in hits at 0. A circle of radius zero is a point, which
-    /// a ray through it hits.
+    /// at which the ray enters the disc, even at the very end of the motion. A tangent is not a
+    /// hit. A ray that starts on the rim and moves in hits at 0. A circle of radius zero is a
+    /// point, which a ray through it hits.
     ///
     /// The time is a lower bound. It is early by less than a raw unit of travel for motions up to
     /// 4096 units, and by less than four for any. The point is outside the circle, less than 2 raw
@@ -160,8 +160,7 @@ pub(in crate::query) fn reached(moment: &impl Moment, d: Raw) -> CastHit {
     CastHit { toi, axis, displacement: step.vec2(), inside: false }
 }
 
-/// The side of a closed box that a ray meets. Both are met at a corner only: by their order it is
-/// the x one.
+/// The side of a closed box that a ray meets. At a corner it meets two, and the one across x wins.
 fn meet_side(o: Raw, d: Raw, lo: Raw, hi: Raw) -> Option<SideMoment> {
     let (x, y) = (Line { o: o.x, d: d.x, lo: lo.x, hi: hi.x }, Line { o: o.y, d: d.y, lo: lo.y, hi: hi.y });
     x.met(&y, Axis::new(1, 0)).or_else(|| y.met(&x, Axis::new(0, 1)))
@@ -211,7 +210,7 @@ impl Line {
     }
 }
 
-/// A ray that comes through the origin, from `m`.
+/// A ray from `m` that passes through the origin.
 pub(in crate::query) fn meet_point(m: Raw, d: Raw) -> Option<CastHit> {
     let b = m.dot(d).wrapping_neg();
     if m.cross(d) != 0 || d.is_zero() || b < 0 || b as u64 > d.len2() {

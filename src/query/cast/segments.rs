@@ -1,5 +1,4 @@
-//! A moving box, segment or circle against a segment: with a circle, a capsule that its centre
-//! comes into.
+//! A moving box, segment or circle against a segment. With a circle, its centre enters a capsule.
 
 use super::boxes::{self, Rounded};
 use super::kernel::{Course, Moment};
@@ -44,8 +43,7 @@ impl Strip {
         }
     }
 
-    /// Whether a part of the motion is strictly within. Intervals of no length, both of them, have
-    /// no between.
+    /// Whether a part of the motion is strictly within. Two intervals of no length have no inside.
     const fn passes(&self) -> bool {
         self.gap < self.speed && self.leave > 0 && self.gap < self.leave
     }
@@ -188,9 +186,9 @@ pub struct Slope {
     axis: Axis,
 }
 
-/// The only part of a capsule that a motion can come in through.
+/// The only part of a capsule through which a motion can enter.
 pub(super) enum CapsuleGate {
-    /// A slanted side, which it does come through.
+    /// A slanted side, through which it enters.
     Slope(Slope),
     /// A side or end as of a box.
     Rounded(boxes::BoxGate),
@@ -258,7 +256,7 @@ fn facing(circle: &Circle, s: &Segment, d: Raw) -> FacedSegment {
         FacedSegment::Away
     } else if a.x == b.x || a.y == b.y {
         FacedSegment::Straight
-    // Where products are cheap, the strip turns away as much for less.
+    // If products are cheap, the strip rejects as much at a lower cost.
     } else if !LONG && !boxes::comes_near(circle, a, b, d) {
         FacedSegment::Away
     } else {
@@ -293,9 +291,9 @@ struct Slanted {
     reach: (u64, u64),
 }
 
-/// The only part of a slanted capsule that a motion can come in through.
+/// The only part of a slanted capsule through which a motion can enter.
 enum SidePart {
-    /// The side, which it does come through: this much of the way leads to the line.
+    /// The side, through which it enters: this much of the motion leads to the line.
     Slope { into: u64 },
     /// The disc around an end.
     End(Raw),

@@ -72,7 +72,7 @@ impl Contacts<Circle> for Aabb {
 }
 
 impl Contacts<Segment> for Circle {
-    // Where only what is asked of it is kept, most of it is not computed.
+    // If a caller keeps only some answers, most of the contact is not computed.
     #[cfg_attr(target_pointer_width = "64", inline(always))]
     #[cfg_attr(not(target_pointer_width = "64"), inline)]
     fn contact(&self, b: &Segment) -> Option<Contact> {

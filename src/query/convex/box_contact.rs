@@ -43,7 +43,7 @@ struct NearestSide {
     margin: f64,
 }
 
-/// The side across which the boxes have least in common, as its length is divided out.
+/// The side across which the boxes have least in common, with its length divided out.
 #[inline(always)]
 #[expect(clippy::float_arithmetic, reason = "an error where the rounding could matter")]
 fn nearest(margins: &FloatMargins, lengths: [Two; 2]) -> Result<NearestSide, Unsure> {

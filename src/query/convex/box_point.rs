@@ -22,7 +22,7 @@ pub(super) struct BoxPoint {
     radii: (i32, i32),
 }
 
-/// What of the box is nearest to the point.
+/// The part of the box that is nearest to the point.
 enum BoxPart {
     /// The point is inside or on the border: how far behind the nearer one of each two sides, times
     /// half of its length.
@@ -149,7 +149,7 @@ impl BoxPoint {
         }
     }
 
-    /// How they overlap; an error if two sides are as near, or nearly.
+    /// How they overlap; [`Unsure`] if two sides are equally near, or nearly so.
     #[inline]
     pub(super) fn contact(&self) -> Result<Option<Contact>, Unsure> {
         let part = self.part();
@@ -180,7 +180,7 @@ impl BoxPoint {
         let mut best = Least::new();
         best.add(Nearness::of(u, self.v.len2()), || (along_u, self.side_u(along_u)))?;
         best.add(Nearness::of(v, self.u.len2()), || (along_v, self.side_v(along_v)))?;
-        // In the middle two opposite sides are as near.
+        // In the middle, two opposite sides are equally near.
         best.get().and_then(|(along, side)| if along == 0 { Err(Unsure) } else { Ok(side) })
     }
 

@@ -92,7 +92,7 @@ pub(super) fn place(p: &Parallelogram, q: &Parallelogram) -> Option<NearestPart>
     Some(nearest.place())
 }
 
-/// How two boxes overlap; an error if two sides are as near, or nearly.
+/// How two boxes overlap; [`Unsure`] if two sides are equally near, or nearly so.
 pub(super) fn contact(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Contact>, Unsure> {
     let side = nearest(p, q)?;
     Ok(side.map(|side| across(&side, p.corner(side.a), q.corner(side.b))))

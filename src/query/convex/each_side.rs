@@ -24,7 +24,7 @@ fn left_of(edge: Raw, p: Vec2) -> i64 {
 #[inline(always)]
 pub(super) fn reaches<const CLOSED: bool>(from: Raw, to: Raw, other: &[Vec2]) -> bool {
     let edge = to.sub(from);
-    // On a core with words of 32 bits, whether a product is negative is asked of one.
+    // On a core with 32-bit words, one word shows whether a product is negative.
     other.iter().any(|p| {
         let way = Raw::of(*p).sub(from);
         if CLOSED { edge.cross(way) >= 0 } else { way.cross(edge) < 0 }
@@ -51,8 +51,8 @@ fn corners_meet<const CLOSED: bool>(a: &[Vec2], b: &[Vec2]) -> bool {
     reach_inside(a, b) && reach_inside(b, a)
 }
 
-/// The side of the sum that is nearest to the origin. Parallel sides are as near as each other, and
-/// one in the sum.
+/// The side of the sum that is nearest to the origin. Parallel sides are equally near, and are one
+/// side of the sum.
 pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Result<Option<PolygonSide>, Unsure> {
     let mut best = Least::new();
     for (of, other, of_a) in [(a, b, true), (b, a, false)] {
@@ -75,8 +75,8 @@ pub(super) fn nearest(a: Core<'_>, b: Core<'_>) -> Result<Option<PolygonSide>, U
     Ok(Some(side_of(a, b, (of_a, begin, edge), most)))
 }
 
-/// The side of the sum that is a side of one shape. Which corner of the other one is as far on its
-/// left is asked of this side only.
+/// The side of the sum that is a side of one shape. Only for this side is the other shape's corner
+/// searched that is as far on its left.
 fn side_of(a: Core<'_>, b: Core<'_>, (of_a, begin, edge): (bool, usize, Raw), most: i64) -> PolygonSide {
     let other = if of_a { b } else { a };
     let farthest = other.corners.iter().position(|p| left_of(edge, *p) == most).unwrap_or(0);

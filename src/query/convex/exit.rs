@@ -16,7 +16,7 @@ use crate::query::contact::Contact;
 pub(super) struct Exit {
     pub(super) contact: Contact,
     pub(super) side: Option<PolygonSide>,
-    /// The corners that it is from and to without a side.
+    /// The corners between which it leads, if it is not across a side.
     pub(super) corners: (usize, usize),
 }
 

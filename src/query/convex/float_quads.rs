@@ -1,8 +1,8 @@
 //! Two polygons with four corners each, by floats: for 64-bit processors.
 //!
-//! For a contact, two sides are compared with a corner at a time, and no branch asks which side is
-//! the nearest. Nothing is shifted to be short: heights are off by a bound, and where that could
-//! matter integers decide. Overlaps of two such take two thirds of the instructions of
+//! For a contact, two sides are compared with a corner at a time, and no branch depends on which
+//! side is nearest. Nothing is shifted to be short: heights are off by a bound, and where that
+//! could matter integers decide. Overlaps of two such take two thirds of the instructions of
 //! [`each_side`](super::each_side); contacts take 0.7 of them, and 0.6 of the time.
 
 use super::across::across;
@@ -63,8 +63,9 @@ impl Quad {
 }
 
 impl TwoSides {
-    /// Corners and edges are below 2^30, so products are off by 2^6, and two of them with their
-    /// difference by 2^8. So is the line, and the height above it by 2^8 more: less than [`OFF`].
+    /// Corners and edges are below 2^30, so a product is off by 2^6. The difference of two is off
+    /// by 2^8, with its own rounding. So is the line, and the height above it by 2^8 more: less
+    /// than [`OFF`].
     #[inline(always)]
     fn of(from: TwoPoints, to: TwoPoints, other: &Quad) -> Self {
         let (x, y) = (to.x.sub(from.x), to.y.sub(from.y));
@@ -154,7 +155,7 @@ pub(super) fn meet<const CLOSED: bool>(a: &[Vec2; 4], b: &[Vec2; 4]) -> bool {
     least.least() > OFF || (reach::<CLOSED>(a, &of_a, b) && reach::<CLOSED>(b, &of_b, a))
 }
 
-/// Of two pairs of sides the nearer ones.
+/// The nearer side of each two.
 #[derive(Clone, Copy)]
 struct Nearer {
     /// The squares of their distances are not below these.

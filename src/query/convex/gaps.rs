@@ -131,8 +131,8 @@ impl BoxGaps {
         }
     }
 
-    /// Whether the point is nearer than a radius. None without one, near to it, and for a box that
-    /// is less than two units wide.
+    /// Whether the point is nearer than a radius. `None` without a radius, if the point is nearly
+    /// as far, and for a box that is less than two units wide.
     ///
     /// Half sides are below 2^29 and the way is below 2^30. Products are off by 2^7, heights by
     /// 2^10 and feet by 2^11. Over a length of 2^16, that is less than a 16th of a raw unit.

@@ -5,8 +5,8 @@
 
 use crate::num::{Raw, leading_zeros32};
 
-/// For each of the four directions of sides, the widths of two parallelograms across it together,
-/// less twice the distance of their middles. `d` is twice the way between the middles.
+/// For each of the four directions of sides: the sum of the widths of two parallelograms across it,
+/// less twice the distance of their middles. `d` is twice the vector between the middles.
 ///
 /// The products are below 2^61 for two sides, below 2^62 with `d`, and the sum of three below 2^63.
 #[inline]

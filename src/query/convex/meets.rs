@@ -13,7 +13,7 @@ pub(crate) fn meets<const CLOSED: bool>(a: Core<'_>, b: Core<'_>) -> bool {
     meets_by::<CLOSED>(a, b, false)
 }
 
-/// [`meets`], which of polygons may ask the leading bits first.
+/// [`meets`]. For polygons, it may test the leading bits first.
 pub(super) fn meets_by<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, is_short: bool) -> bool {
     let radius = a.radius.wrapping_add(b.radius);
     if radius != 0 {
@@ -26,7 +26,8 @@ pub(super) fn meets_by<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, is_short: b
     settled.unwrap_or_else(|| sharp::<CLOSED>(a, b).is_ok())
 }
 
-/// Whether two of the corners are near enough: so it is for most that overlap and have few of them.
+/// Whether two of the corners are near enough. That holds for most shapes that overlap and have few
+/// corners.
 pub(super) fn corners_meet<const CLOSED: bool>(a: Core<'_>, b: Core<'_>, radius: i32) -> bool {
     let near = |p: &Vec2, q: &Vec2| circle_circle::<CLOSED>(Raw::of(*p), Raw::of(*q), radius);
     a.corners.len().wrapping_add(b.corners.len()) <= 4 && a.corners.iter().any(|p| b.corners.iter().any(|q| near(p, q)))

@@ -317,7 +317,7 @@ both_orders!(pair: [const N: usize] AnyShape<N>, Capsule);
 both_orders!(pair: [const N: usize] AnyShape<N>, OrientedBox);
 both_orders!(pair: [const N: usize, const M: usize] AnyShape<N>, ConvexPolygon<M>);
 
-// The other verbs of these have kernels of their own.
+// The other verbs of these pairs have separate kernels.
 manifolds!([] Aabb, Aabb);
 manifolds!([] Aabb, Circle);
 manifolds!([] Aabb, Segment);

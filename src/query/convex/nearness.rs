@@ -60,9 +60,9 @@ impl Nearness {
 
     /// `None` if the leading bits are too few.
     ///
-    /// Squares are at least 2^14 and lengths 2^15, so products are in 2^29..2^32. A product lacks
-    /// less than 5/8 of its 2^-12th: 2^-14 each for the height and for the square, 2^-15 for the
-    /// length.
+    /// Squares are at least 2^14 and lengths 2^15, so products are in 2^29..2^32. A product is
+    /// short by less than 5/8 of 2^-12 of itself: 2^-14 each for the height and for the square,
+    /// 2^-15 for the length.
     const fn cmp(&self, rhs: &Self) -> Option<Ordering> {
         let (p, q) = (self.square.wrapping_mul(rhs.len2), rhs.square.wrapping_mul(self.len2));
         let apart = self.exponent.wrapping_sub(rhs.exponent);
@@ -82,10 +82,10 @@ impl Nearness {
     }
 }
 
-/// Two are as near as each other, or nearly.
+/// Two sides are equally near, or nearly so.
 pub(super) struct Unsure;
 
-/// The nearest one so far of what is surely not as near as another.
+/// The nearest one so far, which is surely nearer than the others.
 pub(super) struct Least<T>(Option<(Nearness, T)>);
 
 impl<T> Least<T> {

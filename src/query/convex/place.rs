@@ -80,7 +80,8 @@ impl NearestCorner {
         Self(None)
     }
 
-    /// The origin is before a side, at this height: the place if it is beside it.
+    /// Adds a side that the origin is before, at this height. Returns the place if the side has the
+    /// foot of the origin.
     pub(super) fn add(&mut self, side: &PolygonSide, height: u64, end: (usize, usize)) -> Option<NearestPart> {
         let along = side.along();
         let corner = if along < 0 {

@@ -64,9 +64,9 @@ pub(super) fn closest(core: Core<'_>, p: Vec2) -> Vec2 {
 
 /// Whether every point of B is one of A; closed and exact.
 ///
-/// A shape is where its extent in every direction reaches. So A grown by r holds B grown by s if A
-/// grown by r - s holds B. If r - s is negative, A must have room for a disc of s - r around every
-/// corner of B.
+/// A convex shape is determined by its extent in every direction. So A grown by r holds B grown by
+/// s if A grown by r - s holds B. If r - s is negative, A must have room for a disc of s - r around
+/// every corner of B.
 pub(super) fn holds_shape(a: Core<'_>, b: Core<'_>) -> bool {
     let rest = a.radius.wrapping_sub(b.radius);
     b.corners
@@ -79,7 +79,7 @@ fn holds(a: Core<'_>, p: Vec2, radius: i32) -> bool {
     meets::<true>(Core { radius, ..a }, Core { corners: &[p], radius: 0 })
 }
 
-/// Whether the disc is on the left of all sides. What has no area holds none.
+/// Whether the disc is on the left of all sides. A shape without area holds none.
 fn holds_disc(a: Core<'_>, p: Raw, radius: u32) -> bool {
     let clear = |(i, from): (usize, &Vec2)| {
         let from = Raw::of(*from);

@@ -52,7 +52,8 @@ struct Within;
 /// before.
 fn sharp(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Result<Option<ConvexGate>, Within> {
     let (mut entry, mut exit): (Option<EdgeMoment>, Option<(u64, u64)>) = (None, None);
-    // On a side's line without coming in by it: from the border such a ray does not lead inside.
+    // The ray starts on a side's line and does not enter by it. From the border, such a ray does
+    // not lead inside.
     let mut grazes = false;
     for side in SideWalk::new(eye, shape) {
         let height = side.height();
@@ -115,8 +116,8 @@ fn rounded(eye: Core<'_>, shape: Core<'_>, d: Raw) -> Option<ConvexGate> {
     first.map(|(_, disc)| ConvexGate::Disc(disc))
 }
 
-/// The side moved out by the radius, where the ray comes in by it between its ends, at the very end
-/// of its way too.
+/// The side moved out by the radius, if the ray enters by it between its ends, also at the very end
+/// of its motion.
 fn through(side: &PolygonSide, radius: i32, d: Raw) -> Option<ConvexGate> {
     let height = side.height();
     let (axis, speed) = inward(side, d);

@@ -1,4 +1,4 @@
-//! The pairs of shapes that have kernels of their own for contacts and distances.
+//! The pairs of shapes that have separate kernels for contacts and distances.
 
 use super::box_pair::BoxPair;
 use super::box_point::BoxPoint;
@@ -9,8 +9,8 @@ use super::{float_margins, gaps};
 use crate::query::contact::Contact;
 use crate::shape::Convex;
 
-/// Which of them two shapes are. It is known when the code is compiled, except that a box without
-/// area is none.
+/// The pair that two shapes are. It is known when the code is compiled, except that a box without
+/// area makes none.
 pub(super) enum Short {
     /// A box in any direction and a circle.
     BoxPoint(BoxPoint),

@@ -106,7 +106,7 @@ fn plainly<const N: usize>(a: &[Vec2], b: &[Vec2]) -> Option<bool> {
     }
 }
 
-/// Whether two polygons overlap, and whether they touch, if that is as plain as it mostly is.
+/// Whether two polygons overlap, and also touch; `None` if the leading bits do not decide.
 #[inline(never)]
 pub(super) fn shortly(a: Core<'_>, b: Core<'_>) -> Option<bool> {
     let (n, m) = (a.corners.len(), b.corners.len());

@@ -19,7 +19,7 @@ pub(super) struct TwoSegments {
 }
 
 impl TwoSegments {
-    /// None for parallel ones, of whose ends two can be as near.
+    /// `None` for parallel segments, because two of their ends can be equally near.
     #[inline(always)]
     pub(super) fn of(a: [Raw; 2], b: [Raw; 2]) -> Option<Self> {
         let [e, f] = [a, b].map(|[from, to]| Offset::between(from, to));

@@ -87,9 +87,9 @@ impl Core<'_> {
 pub(super) struct PolygonSide {
     /// Its start: a corner of A minus one of B, below 2^30 per component.
     pub(super) from: Raw,
-    /// Below 2^30 a component, or 2^31 where both shapes have a part.
+    /// Below 2^30 per component, or 2^31 if both shapes have a part in it.
     pub(super) edge: Raw,
-    /// The corners that `from` is of, and that sides of A or B begin at.
+    /// The corners whose difference is `from`. Sides of A or B begin there.
     pub(super) a: usize,
     pub(super) b: usize,
     pub(super) of_a: bool,
@@ -170,7 +170,7 @@ impl<'a> SideWalk<'a> {
         Self { a: Ring::new(a), b: Ring::new(b) }
     }
 
-    /// The corner of the sum where the walk stands, and whose it is.
+    /// The corner of the sum where the walk stands, and the corners of A and B that make it up.
     pub(super) const fn corner(&self) -> Corner {
         Corner { at: self.a.here.add(self.b.here), a: self.a.at, b: self.b.at }
     }
@@ -212,8 +212,7 @@ pub(super) struct Corner {
     pub(super) b: usize,
 }
 
-/// The sign of `e x f`, for components of which one vector's are below 2^31 and the other's below
-/// 2^30.
+/// The sign of `e x f`. The components of one vector are below 2^31, those of the other below 2^30.
 ///
 /// For cores on which a product is a call: if two products have different signs, the larger one is
 /// known without computing them.
