@@ -63,9 +63,9 @@ fn heap<T: Copy>(items: &mut [T], before: &impl Fn(&T, &T) -> bool) {
     }
 }
 
-/// Puts an item at a place below which none comes after it.
+/// Moves an item to a place in the heap below which no item comes after it.
 ///
-/// It goes first down to the bottom, while the later one of two moves up. Then it goes up to its
+/// First it goes down to the bottom, while the later one of two moves up. Then it goes up to its
 /// place, which is mostly near the bottom. That takes half the comparisons of a search from the
 /// top.
 #[inline(never)]

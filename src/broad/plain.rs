@@ -34,7 +34,8 @@ trait PairScan {
     fn found(&self, n: usize) -> (usize, usize);
 }
 
-/// All pairs of `n` places. The cursor: `a` is the row, `b` how many places after it are done.
+/// Finds all pairs of `n` places. In the cursor, `a` is the row, and `b` the number of places after
+/// it that are done.
 fn pairs<T: Tag, M: Meter>(
     bodies: Bodies<'_, T>,
     n: usize,
@@ -295,8 +296,8 @@ impl<const N: usize, T: Tag> Spatial for SortSweep<N, T> {
         Ok(NewSlot(self.table.state.free == 0))
     }
 
-    /// Up to the first body that begins beyond the region, if nothing came or moved since the last
-    /// sort.
+    /// Stops at the first body that begins beyond the region, if nothing came or moved since the
+    /// last sort.
     fn visit(&self, region: &Aabb, mut each: impl FnMut(usize)) {
         let bodies = self.table.bodies();
         if bodies.state.moved || bodies.state.epoch != self.epoch {

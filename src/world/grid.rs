@@ -226,7 +226,7 @@ impl Grid {
         if end >= distance {
             return index;
         }
-        // One step, or none, is so frequent that the loop, which is unrolled, is not for it.
+        // One step or none is frequent, and does not enter the loop, which is unrolled.
         (index, end) = (index.wrapping_add(1), end.wrapping_add(self.cell));
         if end >= distance {
             return index;

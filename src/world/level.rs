@@ -202,12 +202,12 @@ impl Seen {
 /// A level, as a [mover](crate::motion::Mover) uses it: its surface near a box, and two exact
 /// overlap tests.
 ///
-/// Sealed: that a mover never ends in the solid rests on `features` and the tests being two views
-/// of one set of points.
+/// Sealed: a mover never ends in the solid only because `features` and the tests are two views of
+/// one set of points.
 ///
-/// Code for any level tests boxes and circles as a pair of shapes is tested. For a body of another
-/// shape, add a bound that every level meets: `W: World + Overlaps<Capsule>`. For a shape that is
-/// known only at run time, call
+/// Code for any level tests boxes and circles by the same methods as a pair of shapes. For a body
+/// of another shape, add a bound that every level meets: `W: World + Overlaps<Capsule>`. For a
+/// shape that is known only at run time, call
 /// [`AnyShape::overlaps_level`](crate::shape::AnyShape::overlaps_level).
 ///
 /// ```
@@ -341,14 +341,15 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
         (Raw { x: 0, y: 0 }, Raw { x: 0, y: 0 })
     }
 
-    /// A cursor at no cell of a grid, over what opposes a motion in the region.
+    /// A cursor over the features that oppose a motion in the region, not yet at a cell of the
+    /// grid.
     #[doc(hidden)]
     fn features_of_cells(&self, region: &Aabb, d: Raw, joints: bool) -> Self::Features<'_> {
         let _ = (d, joints);
         self.features(region)
     }
 
-    /// Gives a cursor that is over the features of a cell of a grid.
+    /// Moves such a cursor to a cell of the grid.
     #[doc(hidden)]
     fn enter(&self, features: &mut Self::Features<'_>, block: &Block) {
         let _ = (features, block);

@@ -52,7 +52,7 @@ impl Measure {
     }
 }
 
-/// `f / sqrt(d)` against `g / sqrt(e)`: 183 bits, for the slopes of tiles 67.
+/// Compares `f / sqrt(d)` with `g / sqrt(e)`: by 183 bits, for the slopes of tiles by 67.
 #[inline(never)]
 fn lines<W: World>(f: u64, d: u64, g: u64, e: u64) -> Ordering {
     if W::WIDE {
@@ -61,7 +61,7 @@ fn lines<W: World>(f: u64, d: u64, g: u64, e: u64) -> Ordering {
     mul64(usqr(f as u32), e).cmp(&mul64(usqr(g as u32), d))
 }
 
-/// `f / sqrt(d)` against `sqrt(n)`: 122 bits.
+/// Compares `f / sqrt(d)` with `sqrt(n)`, by 122 bits.
 #[inline(never)]
 fn line_and_point(f: u64, d: u64, n: u64) -> Ordering {
     sqr64(f).cmp(&mul64(n, d))
@@ -92,7 +92,7 @@ fn ring_and_line<W: World>(a: u64, r: u32, line: &Measure) -> Ordering {
     sqr64(wd.wrapping_sub(square)).cmp(&mul64(square, times(k << 2)))
 }
 
-/// `w d - f^2` against `f sqrt(c d)`: by 244 bits.
+/// Compares `w d - f^2` with `f sqrt(c d)`, by 244 bits.
 #[inline(never)]
 fn free_line(w: u64, c: u64, f: u64, d: u64) -> Ordering {
     let (wd, ff) = (mul64(w, d), sqr64(f));
@@ -113,7 +113,7 @@ pub(in crate::world) fn product(a: (u64, u64), b: (u64, u64)) -> ((u64, u64), (u
     (add128(high, (0, mid.0.wrapping_add(u64::from(carry)))), (word, low.1))
 }
 
-/// `|sqrt(a) - r|` against `|sqrt(b) - s|`.
+/// Compares `|sqrt(a) - r|` with `|sqrt(b) - s|`.
 #[inline(never)]
 fn rings(a: u64, r: u32, b: u64, s: u32) -> Ordering {
     match (a < usqr(r), b < usqr(s)) {
@@ -124,7 +124,7 @@ fn rings(a: u64, r: u32, b: u64, s: u32) -> Ordering {
     }
 }
 
-/// `sqrt(a) - sqrt(b)` against `delta`, which is a difference of radii.
+/// Compares `sqrt(a) - sqrt(b)` with `delta`, which is a difference of radii.
 fn roots_apart(a: u64, b: u64, delta: i64) -> Ordering {
     let (a, b, square) =
         (if delta < 0 { b } else { a }, if delta < 0 { a } else { b }, usqr(delta.unsigned_abs() as u32));
@@ -137,7 +137,7 @@ fn roots_apart(a: u64, b: u64, delta: i64) -> Ordering {
     if delta < 0 { order.reverse() } else { order }
 }
 
-/// `sqrt(a) + sqrt(b)` against a sum of radii, below 2^31.
+/// Compares `sqrt(a) + sqrt(b)` with a sum of radii, below 2^31.
 fn roots_together(a: u64, b: u64, sum: u32) -> Ordering {
     // 2 sqrt(a b) against sum^2 - a - b.
     let (square, both) = (usqr(sum), a.wrapping_add(b));

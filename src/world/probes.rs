@@ -56,7 +56,7 @@ pub(crate) mod probe {
             true
         }
         fn passes(&self, d: Raw, (lo, hi): (Raw, Raw)) -> bool {
-            // The way of one corner against the cell, larger by the box.
+            // The path of one corner against the cell, which is larger by the box.
             let a = self.lo();
             meet::segment_aabb::<true>(a, a.add(d), lo.sub(self.hi().sub(a)), hi)
         }
@@ -79,7 +79,8 @@ pub(crate) mod probe {
             meet::circle_aabb::<true>(self.c(), self.r(), cell.0, cell.1)
         }
         fn passes(&self, d: Raw, (lo, hi): (Raw, Raw)) -> bool {
-            // The nearest points to a way across a cell are its ends, or the cell's corners.
+            // The nearest points to a path across a cell are the path's ends, or the cell's
+            // corners.
             let (a, r) = (self.c(), self.r());
             let b = a.add(d);
             meet::circle_aabb::<true>(a, r, lo, hi)

@@ -76,7 +76,7 @@ impl Trail {
         if let Some(place) = self.parts.get_mut(usize::from(self.len)) {
             (*place, self.len) = (by, self.len + 1);
         } else if let Some(last) = self.parts.last_mut() {
-            // A mover makes no fifth part. Whatever else would, the end stays exact.
+            // A mover makes no fifth part. If anything else did, the end would stay exact.
             *last = last.saturating_add(by);
         }
     }

@@ -297,8 +297,8 @@ pub(in crate::broad) fn along(
     }
 }
 
-/// One axis of a motion: where the nearest cells begin and end at its start, and how far it is
-/// there and now.
+/// One axis of a motion: where the nearest cells begin and end at its start, how long it is, and
+/// how far it has come.
 struct Edges {
     lo: i32,
     hi: i32,

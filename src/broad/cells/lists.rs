@@ -163,7 +163,7 @@ impl ListsMut<'_> {
     }
 }
 
-/// NIL is no place.
+/// Sets a link. NIL is not a slot, and is ignored.
 fn set(links: &mut [u16], slot: usize, to: u16) {
     if let Some(link) = links.get_mut(slot) {
         *link = to;
@@ -228,7 +228,8 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         Ok(())
     }
 
-    /// The bodies of a cell against their lists: from a body, a list and a body there on.
+    /// Tests the bodies of a cell against their lists, from a body, a list and a body in that list
+    /// on.
     #[inline(always)]
     fn cell(
         &mut self,
@@ -270,14 +271,15 @@ impl<T: Tag, M: Meter, F: FnMut(Pair) -> bool> PairWalk<'_, T, M, F> {
         Ok(())
     }
 
-    /// Two bodies that touch: whether there was room for them, if they are a pair.
+    /// Passes on two bodies that touch, if they are a pair. Returns whether there was room for
+    /// them.
     #[inline(never)]
     fn meet(&mut self, i: usize, j: usize) -> bool {
         self.bodies.pair(i, j).is_none_or(&mut self.each)
     }
 
-    /// Each body that is too large for a cell against all others; two large bodies once. The
-    /// cursor: `a` is the body, `b` how many are done.
+    /// Tests each body that is too large for a cell against all others, and two large bodies once.
+    /// In the cursor, `a` is the body, and `b` the number of bodies that are done.
     pub(in crate::broad) fn large_ones(&mut self, cursor: &mut PairCursor) -> Result<(), PairsError> {
         let mut done = usize::from(cursor.b);
         let all = self.bodies.bounds.iter().zip(self.lists.cell).enumerate();

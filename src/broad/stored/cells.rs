@@ -42,8 +42,9 @@ impl fmt::Display for CellsFault {
     }
 }
 
-/// An enumeration that stands at a body removed since follows its links, which are not stored: it
-/// begins again, as after a move. A scene leaves no such links, so its flag stays as it is.
+/// An enumeration may stand at a body that was removed since, and follow its links. These are not
+/// stored, so it begins again, as after a move. A scene leaves no such links, so its flag stays as
+/// it is.
 fn tenants<T: Tag, const N: usize>(table: &Table<T, N>, lists: &Lists<'_>) -> Tenants<T, N> {
     let (mut tenants, bodies) = (Tenants::of(table), table.bodies());
     let left = |slot: usize| !bodies.handle(slot).is_taken() && lists.has_links(slot);

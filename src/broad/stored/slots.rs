@@ -88,8 +88,8 @@ impl<T: Tag, const N: usize> StoredForm<Table<T, N>> for Tenants<T, N> {
                 }
             }
         }
-        // A finite way along free slots visits none twice. So if it has the right length, it visits
-        // each of them.
+        // A finite path along free slots visits none twice. So if it has the right length, it
+        // visits each of them.
         let (mut next, mut left) = (free, slots.len() - usize::from(len));
         while next != NIL {
             let at = usize::from(next);

@@ -191,8 +191,8 @@ impl Touch {
         self.time.is_some_and(|time| time.num == 0)
     }
 
-    /// Whether a ray by `d` meets the piece `of` so before another one, or at the same moment and
-    /// this is to be reported instead.
+    /// Whether a ray by `d` meets the piece `of` before another one, or at the same moment and wins
+    /// over it.
     ///
     /// A point within an arc is later than any fraction that a ray meets in the same step. The
     /// tile's other pieces are on the border of its cell, and the ray meets them where it comes in.
@@ -217,7 +217,8 @@ impl Touch {
         if a != b {
             return a < b;
         }
-        // Equal shares of reduced axes are equal components, signs apart: so are the lengths.
+        // If the shares of reduced axes are equal, so are their components except for signs, and
+        // their lengths.
         if n != m {
             // The motion against a normal is below 2^61.
             let (by_n, by_m) = (d.dot(Raw { x: n.x, y: n.y }), d.dot(Raw { x: m.x, y: m.y }));
@@ -361,10 +362,11 @@ fn inward(m: Raw, q: Axis) -> Axis {
 /// `entry`, else outward.
 ///
 /// `u` runs from `u0` by `p`, the other coordinate by `q`. At the moment s with u = 0 the other one
-/// is -cross/p, so against the radius:
-/// |cross| ? r |p|, in 64 bits; and the ray approaches the centre then iff cross p q > 0. Outside of the disc at s: T > s while
-/// approaching, else T < s. Inside: the entry is before s, the exit after it. On the rim: s is the
-/// entry while approaching, else the exit.
+/// is -cross/p. Against the radius that is |cross| ? r |p|, in 64 bits. The ray approaches the
+/// centre then iff cross p q > 0.
+///
+/// Outside of the disc at s: T > s while approaching, else T < s. Inside: the entry is before s,
+/// the exit after it. On the rim: s is the entry while approaching, else the exit.
 fn sign_at(u0: i32, p: i32, q: i32, cross: i64, r: i32, entry: bool) -> i32 {
     if p == 0 {
         return u0.signum();
@@ -386,7 +388,7 @@ fn sign_at(u0: i32, p: i32, q: i32, cross: i64, r: i32, entry: bool) -> i32 {
 }
 
 /// When and where a ray meets an arc within it, if [`meet_arc`] says that it does. The time is a
-/// lower bound; the way from the start is rounded to the free side.
+/// lower bound; the displacement from the start is rounded to the free side.
 #[inline(never)]
 pub(in crate::world) fn arc_contact(m: Raw, d: Raw, radius: i32, convex: bool) -> (Toi, Raw) {
     let toi = time(m, d, radius as u32, convex);

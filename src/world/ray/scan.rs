@@ -78,7 +78,7 @@ enum Stage {
     Go,
 }
 
-/// Derived, it would ask for a level that can be cloned.
+/// A derived implementation would require a level that can be cloned.
 impl<L> Clone for Scan<'_, L> {
     fn clone(&self) -> Self {
         Self { ..*self }

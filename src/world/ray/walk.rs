@@ -75,8 +75,8 @@ pub(in crate::world) enum Beyond {
 }
 
 impl Grid {
-    /// Measures one axis of a ray, with what a cell beyond the grid (before it?, last cell) is
-    /// called.
+    /// Measures one axis of a ray. `beyond` gives the index of a cell beyond the grid, from whether
+    /// it is before the grid and from the last cell.
     #[inline]
     pub(in crate::world) fn lane_with(
         &self,
@@ -188,7 +188,7 @@ impl RayWalk {
         self.back = false;
     }
 
-    /// Goes on over lines behind all of which there is nothing.
+    /// Continues over lines that have nothing behind them.
     pub(in crate::world) fn jump(&mut self, columns: u32, rows: u32, cell: u32) {
         if columns | rows != 0 {
             self.x = self.x.crossed(columns, cell);

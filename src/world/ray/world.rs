@@ -62,8 +62,8 @@ pub trait RayWorld: World {
         Ok(self.cast_ray(a, to.sub(from).vec2(), Inside::Hit)?.is_none())
     }
 
-    /// Visits the levels of which this one is joined, each with its place. No part covers a face of
-    /// its own.
+    /// Visits the levels from which this one is joined, each with its path. No part covers one of
+    /// its own faces.
     #[doc(hidden)]
     fn parts(&self, path: PartPath, visit: &mut dyn FnMut(PartPath, &dyn Beside))
     where

@@ -248,7 +248,7 @@ const fn head(size: &Size, out: &mut [u8]) {
     set_word(out, at::CHECKSUM, checksum(out));
 }
 
-/// Takes segments. The first pass gives no room: both passes are the same code.
+/// Takes segments. The first pass gives it no room, so both passes are the same code.
 #[derive(Debug)]
 pub(super) struct Sink<'o> {
     pub(super) grid: Grid,

@@ -350,8 +350,8 @@ const fn ordered(a: i32, b: i32) -> (i32, i32) {
     if a < b { (a, b) } else { (b, a) }
 }
 
-/// Up to where, in multiples of the edge's direction from `t` on, nothing changes, and whether the
-/// edge is left there.
+/// The end of the part of an edge from `t` on in which nothing changes, in multiples of the edge's
+/// direction. Also whether the edge is left in that part.
 ///
 /// ```text
 ///   edge      ------------------------->      Of m edges one way and n the other, the first min(m, n) of each are cancelled:

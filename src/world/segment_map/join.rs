@@ -178,8 +178,8 @@ const MORE: Sector = 3;
 const WHOLE: Sector = 4;
 
 impl SegmentMap<'_> {
-    /// From a segment, at its end (or its start), through the free side to the first ray of any
-    /// segment.
+    /// Turns from a segment, at its end (or its start), through the free side to the first ray of
+    /// any segment.
     ///
     /// ```text
     ///          ^  free  (y up)      At the end P of e, from -e through the side of its outward normal: the first ray is that of f.
@@ -231,7 +231,7 @@ const fn goes_on(ray: &SegmentRay) -> bool {
     ray.sector <= HALF || ray.sector == MORE && ray.one_way
 }
 
-/// The ray that comes first, of two. Rays of one direction are one.
+/// The ray that comes first of two. Rays of the same direction are one.
 const fn nearer(base: Axis, left: bool, best: SegmentRay, dir: Axis, index: Option<u16>, one_way: bool) -> SegmentRay {
     let sector = sector(base, dir, left);
     let ray = SegmentRay { dir, sector, index, one_way };

@@ -105,7 +105,7 @@ impl Overlaps<Aabb> for SegmentMap<'_> {
         if lo.x == hi.x || lo.y == hi.y {
             return self.thin_overlaps(lo, hi);
         }
-        // Just beside its first corner is inside the box.
+        // The point just beside its first corner is inside the box.
         self.meets(self.open_cells(lo, hi), lo, |p, q| meet::segment_aabb::<false>(p, q, lo, hi))
     }
 }

@@ -259,7 +259,8 @@ impl SegmentMap<'_> {
         Ok(())
     }
 
-    /// Offsets that do not fall, each cell's indices ascending, and its winding number.
+    /// Checks that offsets do not fall and that each cell's indices ascend. Also checks its winding
+    /// number.
     const fn verify_tables(&self) -> Result<(), SegmentMapError> {
         let (width, height) = (self.grid.x.count as i32, self.grid.y.count as i32);
         let (mut y, mut offset, mut place) = (0, 0, 0usize);

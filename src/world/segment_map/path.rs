@@ -96,7 +96,7 @@ impl PathEdge {
     }
 }
 
-/// Euclid's; 45 rounds at most, where both are neighbours of Fibonacci's below 2^31.
+/// Euclid's algorithm. It takes 45 rounds at most, for neighbouring Fibonacci numbers below 2^31.
 pub(super) const fn gcd(mut a: u32, mut b: u32) -> u32 {
     while let Some(rest) = a.checked_rem(b) {
         (a, b) = (b, rest);

@@ -53,8 +53,8 @@ rays! {
         ///
         /// Every decision is exact, also which of several solids comes first. Each solid is tested
         /// separately, by the rules of its shape's own `cast_ray`. A ray that touches a sharp
-        /// corner hits it, and a tangent of a round part is no hit. A ray that starts inside of one
-        /// solid meets the border of another one there, and so does
+        /// corner hits it, and a tangent of a round part is not a hit. A ray that starts inside of
+        /// one solid meets the border of another one there, and so does
         /// [`cast_ray_all`](Self::cast_ray_all). A ray along the line between two flush solids is
         /// in neither.
         ///
@@ -177,7 +177,8 @@ impl<'w, S: SolidShape> ConvexRayHits<'w, S> {
         let mut best: Option<Met> = None;
         for feature in (0..border.pieces()).step_by(step).filter_map(|index| border.piece(index, &way)) {
             let Some(touch) = meet::<ConvexSolids<'_, S>>(o, d, &feature) else { continue };
-            // At the start only where the ray goes into the solid. A round part is met so only.
+            // At the start, a side is met only if the ray goes into the solid. A round part is met
+            // in no other way.
             if touch.is_at_start() && radius == 0 && leaves(core, o, d) {
                 return None;
             }

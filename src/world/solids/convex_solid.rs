@@ -81,7 +81,7 @@ solid_shapes! {
         "Circle::new(Vec2::from_ints(30, 8), fx!(4))" => "shape::AnyShape::Circle(it)";
 }
 
-/// What decides whether a shape may be solid.
+/// The properties that decide whether a shape may be solid.
 struct BorderKind {
     radius: i32,
     /// Less than three corners.
@@ -205,8 +205,8 @@ enum Drive {
 }
 
 impl Drive {
-    /// Maps each side to one of equal length, if all have one, as in a turned shape. Of several
-    /// choices it takes the least turn, in which the sides agree best.
+    /// Maps each side to one of equal length, if all have one, as in a turned shape. If there are
+    /// several choices, it takes the least turn, in which the sides agree best.
     fn of_turn(p: Core<'_>, q: Core<'_>) -> Self {
         let side = |core: Core<'_>, i: usize| core.corner(core.after(i)).sub(core.corner(i));
         // A turn rounds corners: lengths differ by 8 raw at most, and their squares by 16 lengths.
@@ -429,7 +429,7 @@ impl<S: SolidShape> ConvexSolid<S> {
     }
 }
 
-/// Without what follows from the rest.
+/// Without the fields that follow from the rest.
 #[cfg(feature = "defmt")]
 impl<S: SolidShape + defmt::Format> defmt::Format for ConvexSolid<S> {
     fn format(&self, f: defmt::Formatter<'_>) {

@@ -59,7 +59,7 @@ use solid::Solid;
 ///
 /// Cost: an overlap test looks at each of the n boxes. Reading the surface looks at all of them for
 /// each piece near the region; a box has 8 pieces. A face that k other boxes cover together takes k
-/// such looks. Keep lists as short as the platforms of a screen. It cannot fail.
+/// such looks. Keep only the platforms of one screen in a list. It cannot fail.
 ///
 /// ```
 /// use tilesat::{Aabb, Axis, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -94,7 +94,7 @@ impl<'a> Solids<'a> {
     /// The key of a solid, from the cell of a feature, a contact, a floor or a hit. `None` for the
     /// cell of a tile or a segment.
     ///
-    /// Hits and floors answer it themselves: [`Hit::solid`](crate::Hit::solid),
+    /// Hits and floors have methods for it: [`Hit::solid`](crate::Hit::solid),
     /// [`Support::solid`](crate::Support::solid), [`RayHit::solid`](crate::RayHit::solid). The
     /// [`source`](crate::world::Feature::source) distinguishes the keys of two
     /// [joined](crate::Joined) lists.
