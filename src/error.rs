@@ -148,8 +148,9 @@ impl fmt::Display for RangeError {
 
 impl core::error::Error for RangeError {}
 
-/// A result was cut off because the list was full. The kept results come first in the documented
-/// order.
+/// A result was cut off because the list was full.
+///
+/// The kept results come first in the documented order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Truncated {

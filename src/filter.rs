@@ -25,7 +25,9 @@ impl LayerMask {
     /// Every layer.
     pub const ALL: Self = Self(0xffff);
 
-    /// The mask of one layer, from 0 to 15. Larger indices wrap around: `layer(16)` is `layer(0)`.
+    /// The mask of one layer, from 0 to 15.
+    ///
+    /// Larger indices wrap around: `layer(16)` is `layer(0)`.
     #[must_use]
     pub const fn layer(index: u8) -> Self {
         Self(1 << (index & 15))
@@ -129,14 +131,18 @@ impl Filter {
         Self { group, ..self }
     }
 
-    /// Sets whether the body is at rest. Two bodies at rest never pair.
+    /// Sets whether the body is at rest.
+    ///
+    /// Two bodies at rest never pair.
     #[must_use]
     #[doc(alias = "static body")]
     pub const fn with_still(self, still: bool) -> Self {
         self.with_flag(STILL, still)
     }
 
-    /// Sets whether the body is a sensor. A sensor reports bodies, and does not push them.
+    /// Sets whether the body is a sensor.
+    ///
+    /// A sensor reports bodies, and does not push them.
     ///
     /// ```
     /// use tilesat::{Filter, broad::Tag};

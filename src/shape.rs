@@ -154,8 +154,9 @@ impl Aabb {
         self.hi().sub(self.lo()).vec2()
     }
 
-    /// The middle. If a side is an odd number of raw units, it is rounded toward the smaller
-    /// coordinate.
+    /// The middle of the box.
+    ///
+    /// If a side is an odd number of raw units, it is rounded toward the smaller coordinate.
     #[must_use]
     #[doc(alias = "center")]
     pub const fn centre(&self) -> Vec2 {
@@ -186,7 +187,7 @@ impl Aabb {
         *self
     }
 
-    /// The point of the box that is nearest to `p`: `p` itself if it is inside. Exact.
+    /// The point of the box that is nearest to `p`, exactly: `p` itself if it is inside.
     #[must_use]
     pub const fn closest_point(&self, p: Vec2) -> Vec2 {
         p.max(self.min).min(self.max)

@@ -60,8 +60,7 @@ pub(in crate::broad) fn retain<K: Copy, V: Copy>(
     }
 }
 
-/// The state of a pair in one frame. Each pair gives `Begin`, then `Stay` in each later frame, then
-/// `End` once.
+/// The state of a pair in one frame: `Begin`, then `Stay` in each later frame, then `End` once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairEvent<P = Pair> {
@@ -197,7 +196,7 @@ impl<const M: usize, P: Copy + Ord> PairEvents<M, P> {
         finish(&mut self.entries, &mut self.frame, held)
     }
 
-    /// The state of each pair in the frame that ended last, in ascending order of pairs. Empty once
+    /// The state of each pair in the frame that ended last, in ascending order of pairs; empty once
     /// you have fed the next frame.
     pub fn iter(&self) -> impl Iterator<Item = PairEvent<P>> {
         let listed: &[Listed<P, Mark>] = if self.frame.begun { &[] } else { &self.entries };

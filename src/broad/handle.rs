@@ -77,10 +77,10 @@ impl PartialOrd for Handle {
     }
 }
 
-/// Two bodies whose boxes touch. Test their shapes with `overlaps`, `touches` or `contact`.
+/// Two bodies whose boxes touch.
 ///
-/// `a` is the one with the smaller [key](super::Tag::key); if keys are equal, with the smaller
-/// slot.
+/// Test their shapes with `overlaps`, `touches` or `contact`. `a` is the one with the smaller
+/// [key](super::Tag::key); if keys are equal, with the smaller slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -146,12 +146,11 @@ impl PartialOrd for Pair {
     }
 }
 
-/// The value of a body in a broad phase. It decides with which bodies it pairs, and its position in
-/// canonical order.
+/// The value of a body in a broad phase.
 ///
-/// It is used only for two bodies whose boxes touch. `()` pairs with all and costs nothing,
-/// [`Filter`](crate::Filter) has layers, and [`Keyed`] adds a key. For another rule, write your own
-/// type:
+/// It decides with which bodies it pairs, and its position in canonical order. It is used only for
+/// two bodies whose boxes touch. `()` pairs with all and costs nothing, [`Filter`](crate::Filter)
+/// has layers, and [`Keyed`] adds a key. For another rule, write your own type:
 ///
 /// ```
 /// use tilesat::broad::Tag;
@@ -169,7 +168,9 @@ pub trait Tag: Copy {
     /// The tag of free slots.
     const BLANK: Self;
 
-    /// Whether two bodies may pair. It must be symmetric.
+    /// Whether two bodies may pair.
+    ///
+    /// It must be symmetric.
     #[inline]
     #[must_use]
     fn pairs_with(&self, other: &Self) -> bool {
@@ -177,8 +178,9 @@ pub trait Tag: Copy {
         true
     }
 
-    /// The body's position in canonical order. Choose unique keys if the order must not depend on
-    /// that of insertion.
+    /// The body's position in canonical order.
+    ///
+    /// Choose unique keys if the order must not depend on that of insertion.
     #[inline]
     #[must_use]
     fn key(&self) -> u32 {
@@ -199,7 +201,9 @@ impl Tag for Filter {
     }
 }
 
-/// A tag with a key that you choose. Pairs sorted by it do not depend on the order of insertion.
+/// A tag with a key that you choose.
+///
+/// Pairs sorted by it do not depend on the order of insertion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -224,7 +228,9 @@ impl<T: Tag> Tag for Keyed<T> {
     }
 }
 
-/// Why the broad phase did not insert, move or find a body. Nothing was changed.
+/// Why the broad phase did not insert, move or find a body.
+///
+/// Nothing was changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -287,7 +293,9 @@ impl fmt::Display for BroadError {
 
 impl core::error::Error for BroadError {}
 
-/// Why an enumeration of pairs stopped before its end. No pair is lost.
+/// Why an enumeration of pairs stopped before its end.
+///
+/// No pair is lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum PairsError {

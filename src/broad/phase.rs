@@ -8,12 +8,12 @@ use crate::num::{Fx, Raw, Toi, Vec2};
 use crate::shape::Aabb;
 use heapless::VecView;
 
-/// Finds which bodies are near each other, by their boxes. There are four implementations with the
-/// same answers.
+/// Finds which bodies are near each other, by their boxes.
 ///
-/// Boxes that only touch count ("near" is closed). So it misses nothing that `overlaps`, `touches`
-/// or `contact` of the shapes would find. Insert a circle by its [`aabb`](crate::Circle::aabb), and
-/// a fast body by the box of its whole motion.
+/// There are four implementations with the same answers. Boxes that only touch count ("near" is
+/// closed). So it misses nothing that `overlaps`, `touches` or `contact` of the shapes would find.
+/// Insert a circle by its [`aabb`](crate::Circle::aabb), and a fast body by the box of its whole
+/// motion.
 ///
 /// | question | closure, no order | in order, into a buffer |
 /// |---|---|---|
@@ -83,7 +83,7 @@ pub trait BroadPhase: Spatial {
         self.move_all(to)
     }
 
-    /// Removes a body. Returns its tag.
+    /// Removes a body, and returns its tag.
     ///
     /// # Errors
     /// [`Stale`](BroadError::Stale).
@@ -171,11 +171,10 @@ pub trait BroadPhase: Spatial {
         });
     }
 
-    /// Appends more pairs to `out`, until it is full or `budget` tests of two boxes were made. Call
-    /// it again with the same cursor until it returns `Ok`.
+    /// Appends more pairs to `out`, until it is full or `budget` tests of two boxes were made.
     ///
-    /// You may remove bodies between two calls. They are in no later pair, but `out` may hold an
-    /// earlier one.
+    /// Call it again with the same cursor until it returns `Ok`. You may remove bodies between two
+    /// calls. They are in no later pair, but `out` may hold an earlier one.
     ///
     /// # Errors
     /// [`BudgetExceeded`](PairsError::BudgetExceeded) and [`Full`](PairsError::Full) if there are
@@ -216,12 +215,12 @@ pub trait BroadPhase: Spatial {
         sorted_pairs(self, out)
     }
 
-    /// Every pair with at least one of the `movers`, once, in no particular order. Use it if few of
-    /// many bodies move: two that rest do not have to be tested again. Bodies far from all movers
-    /// cost nothing.
+    /// Every pair with at least one of the `movers`, once, in no particular order.
     ///
-    /// The movers may be in any order, and in the list more than once. Tags count as in
-    /// [`pairs`](Self::pairs). With all bodies as movers the pairs are the same, at a higher cost.
+    /// Use it if few of many bodies move: two that rest do not have to be tested again. Bodies far
+    /// from all movers cost nothing. The movers may be in any order, and in the list more than
+    /// once. Tags count as in [`pairs`](Self::pairs). With all bodies as movers the pairs are the
+    /// same, at a higher cost.
     ///
     /// Cost: one region query per mover, of its box; no memory. On a Cortex-M0, with 512 bodies in
     /// a grid of 1024 x 768 units, a mover takes about 720 instructions. All pairs take 250 per
@@ -257,10 +256,10 @@ pub trait BroadPhase: Spatial {
         self.visit(region, |slot| each(bodies.handle(slot)));
     }
 
-    /// Every body whose box holds a point, border included, once, in no particular order. The
-    /// [trait](BroadPhase) has an example.
+    /// Every body whose box holds a point, border included, once, in no particular order.
     ///
-    /// No box holds a point outside the [domain](crate::num::DOMAIN).
+    /// The [trait](BroadPhase) has an example. No box holds a point outside the
+    /// [domain](crate::num::DOMAIN).
     #[inline]
     fn at_point(&self, point: Vec2, each: impl FnMut(Handle)) {
         let p = Raw::of(point);

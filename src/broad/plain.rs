@@ -66,8 +66,9 @@ fn pairs<T: Tag, M: Meter>(
     Ok(())
 }
 
-/// Up to N bodies, each tested against each. It is the fastest for a dozen bodies, and defines the
-/// answers of the others.
+/// Up to N bodies, each tested against each.
+///
+/// It is the fastest for a dozen bodies, and defines the answers of the others.
 ///
 /// Cost: N (N - 1) / 2 tests of boxes, most of them two comparisons; an insertion or a move is a
 /// store. RAM: box, tag and 2 bytes for the generation.
@@ -95,7 +96,9 @@ pub struct BruteForce<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> BruteForce<N, T> {
-    /// An empty broad phase. It may be a `static`, which takes no flash: all its bits are zero.
+    /// An empty broad phase.
+    ///
+    /// It may be a `static`, which takes no flash: all its bits are zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: Table::new() }
@@ -200,12 +203,12 @@ impl PairScan for EachScan<'_> {
     }
 }
 
-/// Up to N bodies, sorted by their left sides. It is the fastest from a dozen to some hundreds of
-/// bodies of any size.
+/// Up to N bodies, sorted by their left sides.
 ///
-/// A body is tested against those whose left sides are within its extent in x. The order is kept
-/// from one enumeration to the next, and bodies that move a little change it a little. If a world
-/// is higher than wide, or its bodies fall in columns, exchange x and y.
+/// It is the fastest from a dozen to some hundreds of bodies of any size. A body is tested against
+/// those whose left sides are within its extent in x. The order is kept from one enumeration to the
+/// next, and bodies that move a little change it a little. If a world is higher than wide, or its
+/// bodies fall in columns, exchange x and y.
 ///
 /// ```text
 ///  a +-----+          order of left sides: a b c d
@@ -260,7 +263,9 @@ pub struct SortSweep<const N: usize, T = ()> {
 }
 
 impl<const N: usize, T: Tag> SortSweep<N, T> {
-    /// An empty broad phase. It may be a `static`, which takes no flash: all its bits are zero.
+    /// An empty broad phase.
+    ///
+    /// It may be a `static`, which takes no flash: all its bits are zero.
     #[must_use]
     pub const fn new() -> Self {
         Self { table: Table::new(), order: [0; N], sorted: 0, stale: false, epoch: 0 }

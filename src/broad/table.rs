@@ -366,12 +366,13 @@ pub(super) fn square(centre: Raw, reach: i32) -> Aabb {
     Aabb::from_raw_unchecked(Raw { x: low(centre.x), y: low(centre.y) }, Raw { x: high(centre.x), y: high(centre.y) })
 }
 
-/// The state of an enumeration of pairs between two calls. Plain data; the default is the start.
+/// The state of an enumeration of pairs between two calls.
 ///
-/// It belongs to one broad phase. If you restore a snapshot of the broad phase, also restore the
-/// cursor of that time, or begin with a new one. Otherwise pairs may be missed. You may remove
-/// bodies between two calls. If one is inserted or moved, the next call returns
-/// [`Changed`](PairsError::Changed) once, and the call after that begins again.
+/// It is plain data, and its default is the start. It belongs to one broad phase. If you restore a
+/// snapshot of the broad phase, also restore the cursor of that time, or begin with a new one.
+/// Otherwise pairs may be missed. You may remove bodies between two calls. If one is inserted or
+/// moved, the next call returns [`Changed`](PairsError::Changed) once, and the call after that
+/// begins again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PairCursor {

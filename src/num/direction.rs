@@ -68,7 +68,7 @@ impl Axis {
         Self::new(x, y)
     }
 
-    /// The dot product. Exact, unless all four components are `i32::MIN`.
+    /// The dot product; exact, unless all four components are `i32::MIN`.
     #[must_use]
     pub const fn dot(self, rhs: Self) -> i64 {
         // Across a face along an axis: one product, or none.
@@ -81,7 +81,7 @@ impl Axis {
         super::dot(self.x, rhs.x, self.y, rhs.y)
     }
 
-    /// The perpendicular dot product `x1 y2 - y1 x2`. Exact.
+    /// The perpendicular dot product `x1 y2 - y1 x2`; exact.
     ///
     /// ```
     /// use tilesat::Axis;
@@ -106,10 +106,11 @@ impl Axis {
     }
 
     /// How fast a velocity points against this direction: the speed at which a body hits a surface
-    /// with this normal. Zero if it points along the surface or away from it.
+    /// with this normal.
     ///
-    /// Rounded to nearest, half a raw unit up; exact along x and y. Speeds of 2^30 raw and more,
-    /// which no motion has, give `Fx::MAX`.
+    /// It is zero if the velocity points along the surface or away from it. It is rounded to
+    /// nearest, half a raw unit up, and exact along x and y. Speeds of 2^30 raw and more, which no
+    /// motion has, give `Fx::MAX`.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Vec2};
@@ -136,13 +137,17 @@ impl Axis {
         Fx::from_bits(if speed < 1 << 30 { speed as i32 } else { i32::MAX })
     }
 
-    /// This direction turned by a right angle: `(-y, x)`. `y` must be above `i32::MIN`.
+    /// This direction turned by a right angle: `(-y, x)`.
+    ///
+    /// `y` must be above `i32::MIN`.
     #[must_use]
     pub const fn perp(self) -> Self {
         Self::new(self.y.wrapping_neg(), self.x)
     }
 
-    /// The opposite direction. The components must be above `i32::MIN`.
+    /// The opposite direction.
+    ///
+    /// The components must be above `i32::MIN`.
     #[must_use]
     pub const fn reversed(self) -> Self {
         Self::new(self.x.wrapping_neg(), self.y.wrapping_neg())
@@ -159,17 +164,19 @@ impl Axis {
         Self::new(self.x.saturating_neg().wrapping_neg(), self.y.saturating_neg().wrapping_neg())
     }
 
-    /// Whether both components are zero. This crate never returns such an axis.
+    /// Whether both components are zero.
+    ///
+    /// This crate never returns such an axis.
     #[must_use]
     pub const fn is_zero(self) -> bool {
         self.x == 0 && self.y == 0
     }
 
-    /// The unit vector of this direction. Each component is within 1.5 * 2^-30 of the exact value.
-    /// The zero axis gives +x.
+    /// The unit vector of this direction.
     ///
-    /// Mirrored axes give mirrored bits. Axes along x or y are exact. Cost: one reciprocal root and
-    /// no division, about 250 instructions on a Cortex-M0.
+    /// Each component is within 1.5 * 2^-30 of the exact value. The zero axis gives +x. Mirrored
+    /// axes give mirrored bits. Axes along x or y are exact. Cost: one reciprocal root and no
+    /// division, about 250 instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{Axis, Vec2, fx};
@@ -180,7 +187,7 @@ impl Axis {
         unit_nearest(self)
     }
 
-    /// The square of the length. Exact.
+    /// The square of the length; exact.
     #[must_use]
     pub const fn length_squared(self) -> u64 {
         super::norm(self.x, self.y)
@@ -265,7 +272,7 @@ impl UnitVec2 {
         (self.x.to_bits(), self.y.to_bits())
     }
 
-    /// Both components as floating point, rounded to nearest, ties to even. Use it for drawing.
+    /// Both components as floating point, for drawing: rounded to nearest, ties to even.
     ///
     /// The components are in `-1.0..=1.0`. An `f32` has 24 bits, so each is within 2^-25 of the
     /// fixed-point one. It cannot fail.
@@ -280,11 +287,10 @@ impl UnitVec2 {
         (self.x.to_num(), self.y.to_num())
     }
 
-    /// The vector with this direction and the given length, each component rounded toward zero. A
-    /// negative length reverses it.
+    /// The vector with this direction and the given length, each component rounded toward zero.
     ///
-    /// It exceeds the length by less than a raw unit. Mirrored directions give mirrored bits.
-    /// Cost: two products, no division.
+    /// A negative length reverses it. It exceeds the length by less than a raw unit. Mirrored
+    /// directions give mirrored bits. Cost: two products, no division.
     ///
     /// ```
     /// use tilesat::{Axis, Fx, Vec2, fx};

@@ -91,7 +91,7 @@ impl Vec2 {
         Self { x: self.x.saturating_abs(), y: self.y.saturating_abs() }
     }
 
-    /// The sign of each component: -1, 0 or 1 units. Unlike glam's, zero has no sign.
+    /// The sign of each component, -1, 0 or 1 units: unlike glam's, zero has no sign.
     ///
     /// ```
     /// use tilesat::Vec2;
@@ -103,7 +103,7 @@ impl Vec2 {
         Self::from_ints(x.signum() as i16, y.signum() as i16)
     }
 
-    /// This vector turned by a right angle, `(-y, x)`: from +x to +y. `Fx::MIN` saturates.
+    /// This vector turned by a right angle, `(-y, x)`: from +x to +y; `Fx::MIN` saturates.
     ///
     /// ```
     /// use tilesat::Vec2;

@@ -50,13 +50,13 @@ pub use vec2::Vec2;
 pub(crate) use wide::{LONG, add128, cmp_squares, dot, mul128, norm, sqr_signed, square_times, sub128};
 pub use wide::{SPLIT, imul, imul_split, less128, mul64, sqr64, umul, umul_split, usqr, usqr_split};
 
-/// The scalar type of positions and lengths: signed 16.16 fixed point. You choose what a unit is;
-/// most games use one pixel.
+/// The scalar type of positions and lengths: signed 16.16 fixed point.
 ///
-/// The type is [`FixedI32`](fixed::FixedI32) of the crate [`fixed`]. One raw unit is 1/65536; the
-/// largest value is just below 32768. Write constants with [`fx!`](crate::fx): `fx!(0.25)` is
-/// computed by the compiler. `Fx::lit("0.25")` outside a `const` is parsed when the program runs
-/// (874 instructions on a Cortex-M0, and 3.9 KB of flash).
+/// You choose what a unit is; most games use one pixel. The type is [`FixedI32`](fixed::FixedI32)
+/// of the crate [`fixed`]. One raw unit is 1/65536; the largest value is just below 32768. Write
+/// constants with [`fx!`](crate::fx): `fx!(0.25)` is computed by the compiler. `Fx::lit("0.25")`
+/// outside a `const` is parsed when the program runs (874 instructions on a Cortex-M0, and 3.9 KB
+/// of flash).
 ///
 /// # Overflow
 ///

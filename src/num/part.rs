@@ -50,7 +50,7 @@ impl Toi {
         Fx::from_bits((self.0 >> 14) as i32)
     }
 
-    /// As floating point, rounded to nearest, ties to even. Use it for drawing.
+    /// This fraction as floating point, for drawing: rounded to nearest, ties to even.
     ///
     /// It is in `0.0..=1.0`, and within 2^-25 of this fraction, because an `f32` has 24 bits. A
     /// fraction just below one may round up to `1.0`. It cannot fail.
@@ -137,7 +137,7 @@ impl Ratio {
     /// The whole; exact.
     pub const ONE: Self = Self(1 << 30);
 
-    /// `num / den`, rounded to nearest, halves up. `None` if it is above one, or `den` is zero.
+    /// `num / den`, rounded to nearest, halves up; `None` if it is above one, or `den` is zero.
     ///
     /// Cost: no division instruction, some 200 instructions on a Cortex-M0; none in a constant.
     #[must_use]

@@ -3,9 +3,10 @@
 use super::{Axis, Fx, UnitVec2, Vec2, imul, umul, usqr};
 
 impl Axis {
-    /// The direction at an angle in turns, from +x toward +y: a quarter is +y. About 2^30 long.
+    /// The direction at an angle in turns, from +x toward +y: a quarter is +y.
     ///
-    /// That is counter-clockwise with y up, and clockwise on a screen.
+    /// The direction is about 2^30 long. The angle is counter-clockwise with y up, and clockwise on
+    /// a screen.
     ///
     /// Quarter turns are exact. Mirrored and turned angles give mirrored and turned directions bit
     /// for bit. Other angles are within 2^-23 of the exact direction. Whole turns change nothing:
@@ -24,14 +25,15 @@ impl Axis {
         at_phase((turns.to_bits() as u32) << 16)
     }
 
-    /// The direction at an angle in radians, from +x toward +y. About 2^30 long. `None` if the
-    /// angle is not a number, or not below 2^20 in size: an `f32` cannot tell directions there.
+    /// The direction at an angle in radians, from +x toward +y.
     ///
-    /// An angle that rounds a quarter turn is that quarter: `FRAC_PI_2` is exactly +y. Other angles
-    /// are within 2^-23 of the exact direction, so a body that turns by less than a
-    /// [step](Self::from_turns) of turns still turns. Mirrored angles give mirrored directions bit
-    /// for bit. It reads the bits of the `f32`: no chip needs a floating-point unit, and all chips
-    /// agree. Cost: as [`from_turns`](Self::from_turns), and two products.
+    /// It is about 2^30 long. It is `None` if the angle is not a number, or is not below 2^20 in
+    /// size: an `f32` cannot distinguish directions there. An angle that rounds a quarter turn is
+    /// that quarter: `FRAC_PI_2` is exactly +y. Other angles are within 2^-23 of the exact
+    /// direction, so a body that turns by less than a [step](Self::from_turns) of turns still
+    /// turns. Mirrored angles give mirrored directions bit for bit. It reads the bits of the `f32`:
+    /// no chip needs a floating-point unit, and all chips agree. Cost: as
+    /// [`from_turns`](Self::from_turns), and two products.
     ///
     /// ```
     /// use core::f32::consts::{FRAC_PI_2, PI};
@@ -69,11 +71,11 @@ impl Axis {
 
 impl UnitVec2 {
     /// `v` turned by the angle from +x to this direction, each component rounded to nearest, halves
-    /// away from zero. It saturates.
+    /// away from zero.
     ///
-    /// Turned and mirrored vectors give turned and mirrored bits. Turn the corners of a shape from
-    /// where you defined them, not from the last frame: roundings would add up. Cost: four
-    /// products.
+    /// It saturates. Turned and mirrored vectors give turned and mirrored bits. Turn the corners of
+    /// a shape from where you defined them, not from the last frame: roundings would add up. Cost:
+    /// four products.
     ///
     /// ```
     /// use tilesat::{Axis, ConvexPolygon, Vec2, fx};

@@ -54,25 +54,25 @@ impl Vec2 {
         Self { x, y }
     }
 
-    /// A vector from the bits of its components. You may pass the bits of any fixed-point format;
-    /// results are then in that format.
+    /// A vector from the bits of its components.
+    ///
+    /// You may pass the bits of any fixed-point format; results are then in that format.
     #[must_use]
     pub const fn from_raw(x: i32, y: i32) -> Self {
         Self { x: Fx::from_bits(x), y: Fx::from_bits(y) }
     }
 
-    /// A vector of whole units. Exact.
+    /// A vector of whole units; exact.
     #[must_use]
     pub const fn from_ints(x: i16, y: i16) -> Self {
         Self::from_raw((x as i32) << 16, (y as i32) << 16)
     }
 
-    /// A vector from floating point, each component rounded to nearest, ties to even. `None` if one
-    /// is not finite or does not fit 16.16.
+    /// A vector from floating point, each component rounded to nearest, ties to even.
     ///
-    /// An `Option`, because not every `f32` is a vector; [`to_f32`](Self::to_f32) cannot fail. No
-    /// query uses it. It computes with integers only, so a chip without an FPU links no
-    /// floating-point routine.
+    /// It is `None` if a component is not finite or does not fit 16.16: not every `f32` is a
+    /// vector. [`to_f32`](Self::to_f32) cannot fail. No query uses this function. It computes with
+    /// integers only, so a chip without an FPU links no floating-point routine.
     ///
     /// ```
     /// use tilesat::{Vec2, fx};
@@ -84,7 +84,7 @@ impl Vec2 {
         Some(Self { x: Fx::checked_from_num(x)?, y: Fx::checked_from_num(y)? })
     }
 
-    /// Both components as floating point, rounded to nearest, ties to even. Use it for drawing.
+    /// Both components as floating point, for drawing: rounded to nearest, ties to even.
     ///
     /// Exact below 256 units: an `f32` has 24 bits. A tuple, which other crates' vectors take:
     /// `glam::Vec2::from(v.to_f32())`.
@@ -138,7 +138,7 @@ impl Vec2 {
         imul(self.x.to_bits(), rhs.y.to_bits()).wrapping_sub(imul(self.y.to_bits(), rhs.x.to_bits()))
     }
 
-    /// The square of the length in square raw units, unlike glam's. Exact.
+    /// The square of the length in square raw units, unlike glam's; exact.
     #[must_use]
     pub const fn length_squared(self) -> u64 {
         let (x, y) = self.raw();
@@ -383,15 +383,17 @@ impl From<(Fx, Fx)> for Vec2 {
     }
 }
 
-/// A vector of whole units. Exact.
+/// A vector of whole units; exact.
 impl From<(i16, i16)> for Vec2 {
     fn from((x, y): (i16, i16)) -> Self {
         Self::from_ints(x, y)
     }
 }
 
-/// A vector of whole units. Fails if one does not fit 16.16 (-32 768 to 32 767). The value of the
-/// error is then the end of the range that it exceeds.
+/// A vector of whole units.
+///
+/// It fails if one does not fit 16.16 (-32 768 to 32 767). The value of the error is then the end
+/// of the range that it exceeds.
 ///
 /// ```
 /// use tilesat::{Quantity, Vec2};

@@ -265,7 +265,9 @@ macro_rules! rays {
     ([$($n:tt)*] $shape:ty) => {
         impl<$($n)* const M: usize> Compound<$shape, M> {
             /// The first point of a part that a ray from `origin` along `motion` meets, by the
-            /// rules of the parts. The ray starts inside if it starts inside any part.
+            /// rules of the parts.
+            ///
+            /// The ray starts inside if it starts inside any part.
             ///
             /// # Errors
             /// [`RangeError`] if the start or the end is outside of the

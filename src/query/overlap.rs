@@ -6,7 +6,7 @@ use crate::error::Truncated;
 use crate::num::{Raw, Vec2};
 use crate::shape::{Aabb, Circle, Segment};
 
-/// Whether the interiors of two shapes meet. Exact and strict.
+/// Whether the interiors of two shapes meet; exact and strict.
 ///
 /// Precisely: whether the origin is interior to the Minkowski sum A + (-B). So a small move of A in
 /// any direction keeps the overlap. Shapes that only touch do not overlap. A point or a segment
@@ -44,7 +44,7 @@ pub trait Overlaps<B: ?Sized> {
     fn overlaps(&self, b: &B) -> bool;
 }
 
-/// Whether two shapes have a point in common, borders included. Exact and closed.
+/// Whether two shapes have a point in common, borders included; exact and closed.
 ///
 /// True whenever [`overlaps`](Overlaps::overlaps) is. `a.touches(&b)` is `b.touches(&a)`. Cost: as
 /// `overlaps`. It cannot fail.
@@ -126,7 +126,9 @@ pub struct BoxColumns<const N: usize> {
 }
 
 impl<const N: usize> BoxColumns<N> {
-    /// The columns of some boxes, in their order. Places after the last box are empty.
+    /// The columns of some boxes, in their order.
+    ///
+    /// Places after the last box are empty.
     ///
     /// Cost: four stores per box.
     ///
@@ -147,7 +149,7 @@ impl<const N: usize> BoxColumns<N> {
         Ok(all)
     }
 
-    /// Whether a box [overlaps](Overlaps) each of the boxes. Exact and strict.
+    /// Whether a box [overlaps](Overlaps) each of the boxes; exact and strict.
     ///
     /// False for places without a box. It cannot fail.
     #[must_use]
@@ -155,7 +157,7 @@ impl<const N: usize> BoxColumns<N> {
         self.meets::<false>(b)
     }
 
-    /// Whether a box [touches](Touches) each of the boxes. Exact and closed.
+    /// Whether a box [touches](Touches) each of the boxes; exact and closed.
     ///
     /// False for places without a box. It cannot fail.
     #[must_use]
@@ -175,7 +177,7 @@ impl<const N: usize> BoxColumns<N> {
     }
 }
 
-/// Whether all of another shape, or a point, is in this shape, borders included. Exact and closed.
+/// Whether all of another shape, or a point, is in this shape, borders included; exact and closed.
 ///
 /// Both are closed sets: a shape contains itself, its corners and its border. A segment contains
 /// only points, segments along it, and boxes and circles without width. Cost: comparisons for

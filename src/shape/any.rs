@@ -4,13 +4,14 @@ use super::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::error::RangeError;
 use crate::num::Vec2;
 
-/// A shape of any kind, for lists that mix them. Polygons have at most `N` corners.
+/// A shape of any kind, for lists that mix them.
 ///
-/// It has all verbs against all shapes, and movers take it as a [`Body`](crate::Body). A slanted
-/// capsule moves only in this form. All yes/no answers, depths and distances are those of the shape
-/// inside. If several exits are equally short, the axis is chosen as for polygons. Between boxes,
-/// circles and segments the axis may also have another length. A cast of two of these may be
-/// rounded otherwise, within its bounds, or hit the other of two sides at one moment.
+/// Polygons have at most `N` corners. It has all verbs against all shapes, and movers take it as a
+/// [`Body`](crate::Body). A slanted capsule moves only in this form. All yes/no answers, depths and
+/// distances are those of the shape inside. If several exits are equally short, the axis is chosen
+/// as for polygons. Between boxes, circles and segments the axis may also have another length. A
+/// cast of two of these may be rounded otherwise, within its bounds, or hit the other of two sides
+/// at one moment.
 ///
 /// Every pair with this type runs the code of
 /// [polygons](crate::query#capsules-oriented-boxes-and-polygons), which costs more than that of two

@@ -50,7 +50,9 @@ pub(crate) mod kernel {
     }
 }
 
-/// A shape that may be a part of a [`Compound`]: any shape but a compound. Sealed.
+/// A shape that may be a part of a [`Compound`]: any shape but a compound.
+///
+/// The trait is sealed.
 pub trait Single: kernel::Movable + kernel::Extent {}
 
 macro_rules! single {
@@ -77,11 +79,11 @@ single!([] Aabb, [] Circle, [] Segment, [] Capsule, [] OrientedBox);
 single!([const N: usize] ConvexPolygon<N>, [const N: usize] AnyShape<N>);
 
 /// Up to `M` shapes of one type that move as one: a concave shape as its convex parts, or a body
-/// with a shield. [`AnyShape`] mixes types.
+/// with a shield.
 ///
-/// Parts have absolute positions: apply the offset of each part before you build the compound.
-/// Every verb looks at the bounding box of all parts first, and at the parts only if that box is
-/// met. The answers are those of the parts:
+/// [`AnyShape`] mixes types. Parts have absolute positions: apply the offset of each part before
+/// you build the compound. Every verb looks at the bounding box of all parts first, and at the
+/// parts only if that box is met. The answers are those of the parts:
 ///
 /// | verb | answer |
 /// |---|---|

@@ -103,8 +103,9 @@ impl OrientedBox {
         Self { centre, along, across, radius: Fx::ZERO }.checked()
     }
 
-    /// This box with a radius around it. Corners become round, and every side moves out by
-    /// `radius`.
+    /// This box with a radius around it.
+    ///
+    /// Corners become round, and every side moves out by `radius`.
     ///
     /// ```
     /// use tilesat::{Axis, Circle, OrientedBox, Vec2, fx, prelude::*};

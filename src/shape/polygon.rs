@@ -106,8 +106,8 @@ impl<const N: usize> ConvexPolygon<N> {
         Ok(Self { points, count: n, radius: Fx::ZERO })
     }
 
-    /// The convex hull of any points, in any order: the smallest convex polygon that holds them
-    /// all. Exact.
+    /// The exact convex hull of any points, in any order: the smallest convex polygon that holds
+    /// them all.
     ///
     /// Points inside and on the sides are left out. Cost: a pair of products for each point and
     /// corner of the hull.
@@ -160,8 +160,9 @@ impl<const N: usize> ConvexPolygon<N> {
         if count < 3 { Err(PolygonError::TooFew { count }) } else { Ok(Self { points: out, count, radius: Fx::ZERO }) }
     }
 
-    /// This polygon with a radius around it. Corners become round, and every side moves out by
-    /// `radius`.
+    /// This polygon with a radius around it.
+    ///
+    /// Corners become round, and every side moves out by `radius`.
     ///
     /// # Errors
     /// [`RangeError`] if the radius is negative or leads out of the [domain](crate::num::DOMAIN).

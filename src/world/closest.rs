@@ -61,12 +61,12 @@ macro_rules! closest_point_of {
 }
 
 closest_point_of! {
-    /// The point of the surface that is nearest to `p` and at most `within` units away. `p` may be
-    /// outside or inside of the solid.
+    /// The point of the surface that is nearest to `p` and at most `within` units away.
     ///
-    /// Distances are compared exactly. In a tie, a face or arc with the foot of `p` on it comes
-    /// first. A corner comes next, then the end of a face, then the piece with the smaller
-    /// coordinates. The answer depends only on the level and the point.
+    /// `p` may be outside or inside of the solid. Distances are compared exactly. In a tie, a face
+    /// or arc with the foot of `p` on it comes first. A corner comes next, then the end of a face,
+    /// then the piece with the smaller coordinates. The answer depends only on the level and the
+    /// point.
     ///
     /// Cost: it searches squares around `p`. The half side starts at one cell and doubles until the
     /// nearest point is found, up to `within`. In total it examines at most twice the features of
@@ -139,8 +139,9 @@ closest_point_of! {
 
 closest_point_of! {
     /// The point of the solids' surface at their current positions that is nearest to `p` and at
-    /// most `within` units away; as [`TileMap::closest_point`]. [`Feature::cell`] names the solid:
-    /// see [`Solids::key_of`].
+    /// most `within` units away; as [`TileMap::closest_point`].
+    ///
+    /// [`Feature::cell`] names the solid: see [`Solids::key_of`].
     ///
     /// Cost: each face and corner of the solids whose box is within reach, and a look at all solids
     /// for each.

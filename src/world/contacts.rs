@@ -34,8 +34,8 @@ impl WorldContact {
         self.feature
     }
 
-    /// The normal as exact integers, out of the solid; never zero. Parallels to x and y have length
-    /// one.
+    /// The normal as exact integers, out of the solid; never zero, and of length one if parallel to
+    /// x or y.
     #[must_use]
     pub const fn axis(&self) -> Axis {
         self.contact.axis.reversed()
@@ -50,20 +50,22 @@ impl WorldContact {
     }
 
     /// Whether another way out of this feature is equally short, or the body's middle is the centre
-    /// of an arc. The normal is then a convention: x before y, + before -. Features that are
-    /// equally deep are separate contacts, in the order that `contacts` documents.
+    /// of an arc.
+    ///
+    /// The normal is then a convention: x before y, + before -. Features that are equally deep are
+    /// separate contacts, in the order that `contacts` documents.
     #[must_use]
     pub const fn is_degenerate(&self) -> bool {
         self.contact.is_degenerate()
     }
 
-    /// A displacement after which the body does not overlap this feature. It is at most 4 raw units
-    /// longer than the least one along the normal.
+    /// A displacement after which the body does not overlap this feature.
     ///
-    /// Each component is rounded away from the surface. One case has no such displacement: a circle
-    /// that is larger than a quarter pipe cannot leave it. The push then leads toward the centre of
-    /// the arc. The corners and faces at its ends have separate contacts. The result may lead out
-    /// of the [domain](crate::num::DOMAIN); `translated` then returns an error.
+    /// It is at most 4 raw units longer than the least one along the normal. Each component is
+    /// rounded away from the surface. One case has no such displacement: a circle that is larger
+    /// than a quarter pipe cannot leave it. The push then leads toward the centre of the arc. The
+    /// corners and faces at its ends have separate contacts. The result may lead out of the
+    /// [domain](crate::num::DOMAIN); `translated` then returns an error.
     #[must_use]
     pub const fn push_out(&self) -> Vec2 {
         let Axis { x, y } = self.contact.axis;
@@ -257,6 +259,7 @@ contacts_of! {
 
 contacts_of! {
     /// Writes the features of both levels that a body overlaps to `out`, which is cleared first.
+    ///
     /// Each comes once, the nearest first, as in [`TileMap::contacts`].
     ///
     /// # Errors
@@ -379,7 +382,9 @@ fn insert<W: World>(out: &mut VecView<WorldContact>, new: ContactRef<'_>, by_dep
     }
 }
 
-/// A shape that [`TileMap::contacts`] takes: any but a segment, and compounds of them. Sealed.
+/// A shape that [`TileMap::contacts`] takes: any but a segment, and compounds of them.
+///
+/// The trait is sealed.
 pub trait Pushable: kernel::PushKernel {}
 
 pub(in crate::world) mod kernel {

@@ -127,7 +127,9 @@ const CELLS: &str = "its side must be even, from 256 to 16777216 raw (256 units)
 
 impl core::error::Error for TileMapError {}
 
-/// Why a segment map was refused. Paths, points and segments are counted from 0.
+/// Why a segment map was refused.
+///
+/// Paths, points and segments are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -104,11 +104,11 @@ impl Grid {
         Vec2::from_raw(self.x.origin.wrapping_add(self.x.size), self.y.origin.wrapping_add(self.y.size))
     }
 
-    /// The cell that holds a point. Left and upper borders belong to the cell, right and lower ones
-    /// to the next.
+    /// The cell that holds a point.
     ///
-    /// Exact for every `p`; beyond the map, -1 or the width (the height). Cost: about 40
-    /// instructions on a Cortex-M0, twice that if the cell is not a power of two; no division.
+    /// Left and upper borders belong to the cell, right and lower ones to the next. Exact for every
+    /// `p`; beyond the map, -1 or the width (the height). Cost: about 40 instructions on a
+    /// Cortex-M0, twice that if the cell is not a power of two; no division.
     ///
     /// ```
     /// use tilesat::{Cell, Grid, Vec2, fx};
@@ -124,7 +124,7 @@ impl Grid {
     }
 
     /// The index of a cell in bytes that are row after row, as for
-    /// [`TileMap::of`](crate::TileMap::of). `None` beyond the map.
+    /// [`TileMap::of`](crate::TileMap::of); `None` beyond the map.
     ///
     /// ```
     /// use tilesat::{Cell, Grid, Vec2, fx};
@@ -149,7 +149,7 @@ impl Grid {
         Some(y as usize * self.x.count as usize + x as usize)
     }
 
-    /// The box of a cell, to draw a tile or to put a door into it. `None` beyond the map.
+    /// The box of a cell, to draw a tile or to put a door into it; `None` beyond the map.
     ///
     /// Exact; neighbouring boxes share a side. Cost: three products.
     ///

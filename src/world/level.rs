@@ -40,10 +40,10 @@ pub struct Feature {
     pub source: u8,
 }
 
-/// The shape of a [`Feature`]. Directions are reduced: one slope has one direction.
+/// The shape of a [`Feature`].
 ///
-/// At a vertex that ends an arc, its edge is the arc's tangent there. A cusp (the end of a quarter
-/// pipe or of a wall) has `e_out == -e_in`.
+/// Directions are reduced: one slope has one direction. At a vertex that ends an arc, its edge is
+/// the arc's tangent there. A cusp (the end of a quarter pipe or of a wall) has `e_out == -e_in`.
 ///
 /// ```text
 ///             n = (dir.y, -dir.x)            e_in     p

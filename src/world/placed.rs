@@ -10,8 +10,9 @@ use crate::num::{DOMAIN, MOTION, Raw, Vec2, check_motion};
 use crate::shape::{Aabb, Circle, Convex};
 use crate::world::convex::ConvexBody;
 
-/// A level shifted by an offset: a polygon that moves, or a room that slides in. It is a level,
-/// too, and copies nothing.
+/// A level shifted by an offset: a polygon that moves, or a room that slides in.
+///
+/// It is a level, too, and copies nothing.
 ///
 /// ```text
 ///    the level's own origin      here
@@ -102,7 +103,9 @@ levels! {
         /// Whether a shape has a point in common with the solid, borders included; exact.
         touches,
         /// The flags, or-ed, of all that a box, circle or point touches: those of the level, for
-        /// the shape less the offset. Exact. Cost: that of the level.
+        /// the shape less the offset.
+        ///
+        /// It is exact. Cost: that of the level.
         ///
         /// ```
         /// use tilesat::{TileKind, TileKinds, TileMap, Vec2, world::Placed};
@@ -236,13 +239,16 @@ rays! {
         /// or relative to the level (less the offset).
         cast_ray,
         /// Whether the straight line from `a` to `b` is free of the level and does not start
-        /// inside. A ray from `a` decides it.
+        /// inside.
+        ///
+        /// A ray from `a` decides it.
         ///
         /// # Errors
         /// As [`cast_ray`](Self::cast_ray).
         line_of_sight,
-        /// All hits of a ray in order, as if it continued through what it hits. Hits at the same
-        /// moment count as one.
+        /// All hits of a ray in order, as if it continued through what it hits.
+        ///
+        /// Hits at the same moment count as one.
         ///
         /// # Errors
         /// As [`cast_ray`](Self::cast_ray).

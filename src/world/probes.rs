@@ -5,9 +5,10 @@ use crate::query::meet;
 use crate::shape::{Aabb, Circle};
 
 /// A shape that [`TileMap::flags_touched`](crate::TileMap::flags_touched) takes: a box, a circle or
-/// a point. Sealed.
+/// a point.
 ///
-/// For another shape pass its bounding box, such as [`Capsule::aabb`](crate::Capsule::aabb).
+/// The trait is sealed. For another shape pass its bounding box, such as
+/// [`Capsule::aabb`](crate::Capsule::aabb).
 pub trait Probe: probe::Probe {}
 
 impl Probe for Aabb {}

@@ -57,10 +57,10 @@ pub struct Room<'a, S: ShapeSet = AllShapes> {
 }
 
 impl<'a, S: ShapeSet> Room<'a, S> {
-    /// A room of a map with an apron of `apron` cells on each side. Its first cell is the cell
-    /// (`x`, `y`) of a world.
+    /// A room of a map with an apron of `apron` cells on each side.
     ///
-    /// The origin of the map is ignored. At the end of the world, [`Outside`] fills the apron.
+    /// Its first cell is the cell (`x`, `y`) of a world. The origin of the map is ignored. At the
+    /// end of the world, [`Outside`] fills the apron.
     ///
     /// # Errors
     /// [`TileMapError::EmptyMap`] if the apron leaves nothing, [`TileMapError::OutOfDomain`] if the
@@ -80,13 +80,13 @@ impl<'a, S: ShapeSet> Room<'a, S> {
     }
 
     /// The least apron in cells for bodies whose width and height are at most `body` and whose
-    /// motion per frame is at most `motion` long. Add the step and the snap of a
-    /// [`Walker`](crate::Walker) to its motion.
+    /// motion per frame is at most `motion` long.
     ///
-    /// In a frame, a body reads the tiles that the closed box around its whole motion touches, or a
-    /// box less than a unit larger. The position of a body in the room is its first corner, or any
-    /// other point of it. So `apron * cell > body + motion + 1`. With one cell less, the border
-    /// affects some bodies. A ray needs an apron as long as itself.
+    /// Add the step and the snap of a [`Walker`](crate::Walker) to its motion. In a frame, a body
+    /// reads the tiles that the closed box around its whole motion touches, or a box less than a
+    /// unit larger. The position of a body in the room is its first corner, or any other point of
+    /// it. So `apron * cell > body + motion + 1`. With one cell less, the border affects some
+    /// bodies. A ray needs an apron as long as itself.
     ///
     /// ```
     /// use tilesat::{AllShapes, Fx, Room};
@@ -161,12 +161,12 @@ impl<'a, S: ShapeSet> Room<'a, S> {
         (grid.quotient(x.unsigned_abs()) as i32, grid.quotient(y.unsigned_abs()) as i32)
     }
 
-    /// The room of a slice that holds a point of this room. Also returns the vector to add to all
-    /// positions of the body that changes rooms.
+    /// The room of a slice that holds a point of this room.
     ///
-    /// If no room holds the point, the nearest one is returned (by the sum of the distances along x
-    /// and y). So a hero may jump over the top of one room into the next. `None` if that is this
-    /// room. Do not call it while [`holds`](Self::holds) is true: several rooms may hold the point.
+    /// Also returns the vector to add to all positions of the body that changes rooms. If no room
+    /// holds the point, the nearest one is returned (by the sum of the distances along x and y). So
+    /// a hero may jump over the top of one room into the next. `None` if that is this room. Do not
+    /// call it while [`holds`](Self::holds) is true: several rooms may hold the point.
     ///
     /// Cost: two products and some comparisons per room of the slice; no division.
     #[must_use]
@@ -331,12 +331,12 @@ impl<'a, S: ShapeSet> Rooms<'a, S> {
         }
     }
 
-    /// The room that holds a cell of the world, and that cell in the room's map. Use it for a spawn
-    /// or a door of the world. `None` beyond the world.
+    /// The room that holds a cell of the world, and that cell in the room's map.
     ///
-    /// Points of a world are cells, because a coordinate ends at 8192 units, and a world may not.
-    /// [`Grid::bounds_of`] gives the cell's box in the room's coordinates. [`Room::in_world`] is
-    /// the inverse of this method.
+    /// Use it for a spawn or a door of the world. `None` beyond the world. Points of a world are
+    /// cells, because a coordinate ends at 8192 units, and a world may not. [`Grid::bounds_of`]
+    /// gives the cell's box in the room's coordinates. [`Room::in_world`] is the inverse of this
+    /// method.
     ///
     /// Cost: two 32-bit divisions and a [`room`](Self::room).
     ///
@@ -368,11 +368,11 @@ impl<'a, S: ShapeSet> Rooms<'a, S> {
         }
     }
 
-    /// The room that holds a point which has left the given room. Also returns the vector to add to
-    /// all positions of the body that changes rooms. `None` while the point is still in the room.
+    /// The room that holds a point which has left the given room.
     ///
-    /// A point beyond an end of the world counts as one at that end. So a hero may run on top of
-    /// the uppermost tiles, from room to room.
+    /// Also returns the vector to add to all positions of the body that changes rooms. `None` while
+    /// the point is still in the room. A point beyond an end of the world counts as one at that
+    /// end. So a hero may run on top of the uppermost tiles, from room to room.
     ///
     /// Cost: four comparisons if it is still in the room. Otherwise four 32-bit divisions and a
     /// [`room`](Self::room), independent of the size of the world.

@@ -46,8 +46,9 @@ impl Trail {
     /// [sweeps](crate::Mover::ITERATIONS).
     pub const PARTS: usize = 4;
 
-    /// Each part: its start, relative to the start of the path, and its displacement. A body that
-    /// stays has no parts.
+    /// Each part: its start, relative to the start of the path, and its displacement.
+    ///
+    /// A body that stays has no parts.
     pub fn parts(&self) -> impl Iterator<Item = (Vec2, Vec2)> + Clone + use<> {
         let mut at = Vec2::ZERO;
         self.parts.into_iter().take(self.len.into()).map(move |by| {

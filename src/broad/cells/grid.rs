@@ -21,8 +21,9 @@ pub enum Border {
     Refuse,
 }
 
-/// Up to N bodies in a grid of square cells, each in the cell of its centre. It suits hundreds of
-/// bodies in a world of known size.
+/// Up to N bodies in a grid of square cells, each in the cell of its centre.
+///
+/// It suits hundreds of bodies in a world of known size.
 ///
 /// ```text
 ///        columns (a power of two)
@@ -78,11 +79,11 @@ pub struct LooseGrid<const BLOCKS: usize, const N: usize, T = (), const LARGE: b
 }
 
 impl LooseGrid<1, 1> {
-    /// How many blocks the cells of a world take. All three lengths are in the same unit.
+    /// How many blocks the cells of a world take.
     ///
-    /// The columns are `width / cell` rounded up to a power of two of at least 4. The rows are
-    /// `height / cell` rounded up, and a block has 32 cells. If that is 0, as with a `cell` of 0,
-    /// or more than 2047, the compiler refuses such a grid.
+    /// All three lengths are in the same unit. The columns are `width / cell` rounded up to a power
+    /// of two of at least 4. The rows are `height / cell` rounded up, and a block has 32 cells. If
+    /// that is 0, as with a `cell` of 0, or more than 2047, the compiler refuses such a grid.
     ///
     /// ```
     /// use tilesat::broad::LooseGrid;
@@ -106,11 +107,11 @@ impl LooseGrid<1, 1> {
 }
 
 impl<const BLOCKS: usize, const N: usize, T: Tag, const LARGE: bool> LooseGrid<BLOCKS, N, T, LARGE> {
-    /// An empty grid, which may be a `static`. Pass the corner with the smallest coordinates, the
-    /// side of a cell, and the number of columns.
+    /// An empty grid, which may be a `static`.
     ///
-    /// A `static` grid takes as much flash as RAM, because its initial value is not all zeros. On a
-    /// chip, build it when the program starts.
+    /// Pass the corner with the smallest coordinates, the side of a cell, and the number of
+    /// columns. A `static` grid takes as much flash as RAM, because its initial value is not all
+    /// zeros. On a chip, build it when the program starts.
     ///
     /// The side is a power of two of raw units (so of units as well), and the columns are a power
     /// of two. So no index needs a division. The blocks give the number of rows. Bodies outside are

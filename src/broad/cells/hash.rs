@@ -8,14 +8,14 @@ use crate::broad::{BroadError, GridError, Tag};
 use crate::num::{Fx, Vec2};
 use crate::shape::Aabb;
 
-/// Up to N bodies in an endless grid of square cells, each in the cell of its centre. The cells
-/// share BUCKETS lists.
+/// Up to N bodies in an endless grid of square cells, each in the cell of its centre.
 ///
-/// It suits worlds that are much larger than the bodies in them. Cell (x, y) has list `x + K y`,
-/// modulo BUCKETS, a power of two from 64 to 32 768. The factor K spreads near cells. In a window
-/// of w x h cells, no two share a list if `(w - 1) (h - 1)` is at most a quarter of BUCKETS. Both w
-/// and h must be at most BUCKETS. Within a screen nothing collides, and a cell never collides with
-/// its neighbours. Cells that share a list cost tests of boxes; answers stay the same.
+/// The cells share BUCKETS lists. It suits worlds that are much larger than the bodies in them.
+/// Cell (x, y) has list `x + K y`, modulo BUCKETS, a power of two from 64 to 32 768. The factor K
+/// spreads near cells. In a window of w x h cells, no two share a list if `(w - 1) (h - 1)` is at
+/// most a quarter of BUCKETS. Both w and h must be at most BUCKETS. Within a screen nothing
+/// collides, and a cell never collides with its neighbours. Cells that share a list cost tests of
+/// boxes; answers stay the same.
 ///
 /// Bodies with longer sides than a cell are refused as [`TooLarge`](BroadError::TooLarge). With
 /// `LARGE` they go into a separate list, as in a [`LooseGrid`](crate::broad::LooseGrid), which also
@@ -48,9 +48,11 @@ pub struct SpatialHash<const BUCKETS: usize, const N: usize, T = (), const LARGE
 impl<const BUCKETS: usize, const N: usize, T: Tag, const LARGE: bool> SpatialHash<BUCKETS, N, T, LARGE> {
     const FACTOR: u16 = factor(BUCKETS);
 
-    /// An empty broad phase with the given side of its cells. The side is a power of two of raw
-    /// units (so of units as well), from 2 raw to 4096 units. It may be a `static`, which takes as
-    /// much flash as RAM, like a [`LooseGrid`](crate::broad::LooseGrid::new).
+    /// An empty broad phase with the given side of its cells.
+    ///
+    /// The side is a power of two of raw units (so of units as well), from 2 raw to 4096 units. It
+    /// may be a `static`, which takes as much flash as RAM, like a
+    /// [`LooseGrid`](crate::broad::LooseGrid::new).
     ///
     /// # Errors
     /// [`GridError::Cell`].

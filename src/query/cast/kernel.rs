@@ -148,7 +148,9 @@ impl InDomain for Circle {}
 impl InDomain for Segment {}
 
 /// The answer to a cast that starts inside: a ray in the solid, or a shape that overlaps the other
-/// one. The border is not inside.
+/// one.
+///
+/// The border is not inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Inside {

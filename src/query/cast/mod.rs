@@ -133,13 +133,12 @@ pub trait CastShape<B: ?Sized>: Enter<B> {
         })
     }
 
-    /// The part of the motion in which this shape overlaps `b`: the times of entry and exit. `None`
-    /// if they overlap at no time.
+    /// The part of the motion in which this shape overlaps `b`: the times of entry and exit.
     ///
-    /// The entry is 0 if they overlap before the motion, and the exit is 1 if they do after it. The
-    /// entry is the exact floor, in 2^-30 of the motion, and the exit the exact ceiling. A
-    /// [`Compound`](crate::shape::Compound) may be free of `b` between the two. Cost: two calls of
-    /// [`exact_toi`](Self::exact_toi).
+    /// It is `None` if they overlap at no time. The entry is 0 if they overlap before the motion,
+    /// and the exit is 1 if they do after it. The entry is the exact floor, in 2^-30 of the motion,
+    /// and the exit the exact ceiling. A [`Compound`](crate::shape::Compound) may be free of `b`
+    /// between the two. Cost: two calls of [`exact_toi`](Self::exact_toi).
     ///
     /// ```
     /// use tilesat::prelude::*;

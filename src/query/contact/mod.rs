@@ -75,11 +75,11 @@ impl Contact {
         self.axis.unit()
     }
 
-    /// Whether there was more than one least exit. The axis then follows a convention.
+    /// Whether there was more than one least exit.
     ///
-    /// The convention: x before y before the normal of a segment, and the positive direction of x
-    /// and y. For a segment it is the normal `(-e.y, e.x)` of its edge `e` from the
-    /// lexicographically smaller end. See the table of [degenerate
+    /// The axis then follows a convention: x before y before the normal of a segment, and the
+    /// positive direction of x and y. For a segment it is the normal `(-e.y, e.x)` of its edge `e`
+    /// from the lexicographically smaller end. See the table of [degenerate
     /// cases](crate::query#degenerate-cases).
     ///
     /// ```

@@ -44,7 +44,9 @@ pub struct Separation {
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
 pub trait OverlapsFrom<B: ?Sized>: Overlaps<B> {
-    /// Whether this shape overlaps `b`. `last` is the hint that the last call for this pair stored.
+    /// Whether this shape overlaps `b`.
+    ///
+    /// `last` is the hint that the last call for this pair stored.
     #[must_use]
     fn overlaps_from(&self, b: &B, last: &mut Separation) -> bool;
 }

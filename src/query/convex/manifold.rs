@@ -7,11 +7,10 @@ use super::walk::{Core, PolygonSide};
 use crate::num::{Axis, Raw, cmp_squares, scaled};
 use crate::query::contact::Contact;
 
-/// A part of a shape's border, by its index. The index stays the same while the shape moves, and
-/// while a box turns.
+/// A part of a shape's border, by its index.
 ///
-/// A side has the index of the corner at which it begins, counter-clockwise (y up). Corners are
-/// counted from these:
+/// The index stays the same while the shape moves, and while a box turns. A side has the index of
+/// the corner at which it begins, counter-clockwise (y up). Corners are counted from these:
 ///
 /// - the `min` of a box, or [`corners`](crate::OrientedBox::corners)`()[0]`;
 /// - the lexicographically first end of a segment;
@@ -69,9 +68,10 @@ impl Manifold {
         self.first.contact.axis()
     }
 
-    /// The one or two points, the deeper one first. On a tie, the one with the smaller x comes
-    /// first, then the one with the smaller y. Depths are rounded, so that of the second one may be
-    /// a raw unit more.
+    /// The one or two points, the deeper one first.
+    ///
+    /// On a tie, the one with the smaller x comes first, then the one with the smaller y. Depths
+    /// are rounded, so that of the second one may be a raw unit more.
     pub fn points(&self) -> impl Iterator<Item = &ManifoldPoint> {
         core::iter::once(&self.first).chain(&self.second)
     }

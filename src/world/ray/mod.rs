@@ -19,7 +19,9 @@ use crate::num::{
     Axis, DOMAIN, Raw, Toi, Vec2, imul, less128, mul_div, mul64, root128_down, root128_up, sqr64, sub128, umul, usqr,
 };
 
-/// The rules of a ray. A ray with only an [`Inside`] passes one-way edges.
+/// The rules of a ray.
+///
+/// A ray with only an [`Inside`] passes one-way edges.
 ///
 /// ```
 /// use tilesat::{Inside, world::RayRules};
@@ -85,7 +87,7 @@ pub struct RayHit {
 
 impl RayHit {
     /// The key of the moving solid that was hit: a [`Solid`](crate::Solid) or a
-    /// [`ConvexSolid`](crate::world::ConvexSolid). `None` for a tile or a segment.
+    /// [`ConvexSolid`](crate::world::ConvexSolid); `None` for a tile or a segment.
     ///
     /// In a [joined](crate::Joined) level, [`source`](Self::source) distinguishes two lists.
     ///

@@ -7,10 +7,10 @@ use crate::num::{Raw, Vec2};
 use crate::world::joined::hidden::{Beside, PartPath};
 use crate::world::level::World;
 
-/// A level that a ray can meet: every level of this crate. Your code that takes any level and casts
-/// rays has this bound.
+/// A level that a ray can meet: every level of this crate.
 ///
-/// Sealed, as [`World`]: [`Joined`](crate::Joined) needs the exact moments of both levels' hits.
+/// Your code that takes any level and casts rays has this bound. It is sealed, as [`World`]:
+/// [`Joined`](crate::Joined) needs the exact moments of both levels' hits.
 ///
 /// ```
 /// use tilesat::world::RayWorld;

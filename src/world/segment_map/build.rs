@@ -59,6 +59,7 @@ impl<'a> SegmentMap<'a> {
     }
 
     /// Writes the level of these paths to the start of `out`, and returns its number of bytes.
+    ///
     /// [`from_bytes`](Self::from_bytes) reads them.
     ///
     /// Cost: twice that of [`measure`](Self::measure). Each edge of a polygon is compared with
@@ -357,11 +358,11 @@ const fn set_raw(out: &mut [u8], at: usize, p: Raw) {
     set_word(out, at.wrapping_add(4), p.y as u32);
 }
 
-/// A level of line segments as a `static`, built and checked by the compiler. It takes no work at
-/// run time, and no memory except the bytes in flash.
+/// A level of line segments as a `static`, built and checked by the compiler.
 ///
-/// It takes an array of [`Path`](crate::Path)s and the side of a cell, both constant. A refused
-/// path is a compile error that says which path is wrong, and why.
+/// It takes no work at run time, and no memory except the bytes in flash. It takes an array of
+/// [`Path`](crate::Path)s and the side of a cell, both constant. A refused path is a compile error
+/// that says which path is wrong, and why.
 ///
 /// ```
 /// use tilesat::{Path, PathKind, Vec2, fx, segment_map};

@@ -12,7 +12,9 @@ use crate::world::cell::Cell;
 use crate::world::error::{SegmentFault, SegmentMapError};
 use crate::world::grid::Grid;
 
-/// The size of a level: cells, segments, references, bytes. [`SegmentMap::measure`] computes it.
+/// The size of a level: cells, segments, references, bytes.
+///
+/// [`SegmentMap::measure`] computes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Size {
     pub(super) grid: Grid,
@@ -27,8 +29,10 @@ impl Size {
         self.grid
     }
 
-    /// The number of segments. Edges that polygons share are not counted. An edge of a wall counts
-    /// as two, that of a one-way chain as one.
+    /// The number of segments.
+    ///
+    /// Edges that polygons share are not counted. An edge of a wall counts as two, that of a
+    /// one-way chain as one.
     #[must_use]
     pub const fn segments(&self) -> u16 {
         self.segments

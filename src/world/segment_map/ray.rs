@@ -48,7 +48,9 @@ rays! {
         /// [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` meets no boundary and no wall and does not
-        /// start inside. A ray from `a` decides it.
+        /// start inside.
+        ///
+        /// A ray from `a` decides it.
         ///
         /// ```
         /// use tilesat::{Path, PathKind, Vec2, fx, segment_map};
@@ -63,8 +65,9 @@ rays! {
         /// [`RangeError`](crate::RangeError) if a point is outside the
         /// [domain](crate::num::DOMAIN).
         line_of_sight,
-        /// All hits of a ray in order, as if it continued through what it hits. Hits at the same
-        /// moment count as one.
+        /// All hits of a ray in order, as if it continued through what it hits.
+        ///
+        /// Hits at the same moment count as one.
         ///
         /// Cost: as [`cast_ray`](Self::cast_ray), and the step's segments once more for each hit.
         ///

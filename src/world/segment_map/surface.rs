@@ -11,13 +11,13 @@ use crate::world::level::{Feature, Geometry, World, sealed};
 use crate::world::probes::Probe;
 
 impl SegmentMap<'_> {
-    /// The faces of the segments that may have a point in the closed region. Each is followed by
-    /// the vertex at its end, if that is in the region.
+    /// The faces of the segments that may have a point in the closed region.
     ///
-    /// Each comes once, in the order of the region's cells, row after row, and within a cell by
-    /// index. Faces near the region may be included. The boundary of a polygon is one face per
-    /// segment. A wall has one on each side, a one-way segment one on its outward normal's side. A
-    /// feature's cell is the one that holds its start, or its corner.
+    /// Each is followed by the vertex at its end, if that is in the region. Each comes once, in the
+    /// order of the region's cells, row after row, and within a cell by index. Faces near the
+    /// region may be included. The boundary of a polygon is one face per segment. A wall has one on
+    /// each side, a one-way segment one on its outward normal's side. A feature's cell is the one
+    /// that holds its start, or its corner.
     ///
     /// Cost: up to three tests for each reference of the cells of the region. For each end without
     /// a vertex, also the segments of a cell.

@@ -12,12 +12,12 @@ use crate::world::convex::ConvexBody;
 use crate::world::level::{Feature, MotionPiece, Seen, World, levels, meets_as_world, sealed};
 use crate::world::probes::Probe;
 
-/// Moving convex solids as a level, at their present positions. It borrows the list and needs no
-/// memory.
+/// Moving convex solids as a level, at their present positions.
 ///
-/// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its lifts and bumpers in it.
-/// [`Solids::key_of`](crate::Solids::key_of) returns the key of the solid of a hit. Bodies slide on
-/// the solids, bounce off them, and stand on them, as on any level.
+/// It borrows the list and needs no memory. [`Joined::new(&level, &solids)`](crate::Joined) is the
+/// level with its lifts and bumpers in it. [`Solids::key_of`](crate::Solids::key_of) returns the
+/// key of the solid of a hit. Bodies slide on the solids, bounce off them, and stand on them, as on
+/// any level.
 ///
 /// Cost: an overlap test compares each bounding box, and then the sides of those that are near.
 /// Reading the surface takes some hundred instructions for each corner of a near solid, because its
@@ -84,8 +84,10 @@ levels! {
         /// Whether a shape has a point in common with one of the solids, borders included;
         /// exact.
         touches,
-        /// The flags, or-ed, of all solids that a box, circle or point touches. Borders count.
-        /// Exact. Cost: as [`touches`](Self::touches), but it always looks at every solid.
+        /// The flags, or-ed, of all solids that a box, circle or point touches.
+        ///
+        /// Borders count. Exact. Cost: as [`touches`](Self::touches), but it always looks at every
+        /// solid.
         ///
         /// ```
         /// use tilesat::world::{ConvexSolid, ConvexSolids};

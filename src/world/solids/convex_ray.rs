@@ -24,8 +24,9 @@ impl<S: SolidShape> RayPieces for ConvexSolids<'_, S> {
 }
 
 impl<'a, S: SolidShape> ConvexSolids<'a, S> {
-    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
-    /// count as one.
+    /// All hits of a ray in order, as if it continued through what it hits.
+    ///
+    /// Hits at the same moment count as one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray) for each hit.
     ///
@@ -49,7 +50,7 @@ impl<'a, S: SolidShape> ConvexSolids<'a, S> {
 rays! {
     [S: SolidShape] ConvexSolids<'_, S> {
         /// The first point of the closed solids at their current positions that a ray from `origin`
-        /// along `motion` meets. `None` if it ends before.
+        /// along `motion` meets, or `None` if it ends before.
         ///
         /// Every decision is exact, also which of several solids comes first. Each solid is tested
         /// separately, by the rules of its shape's own `cast_ray`. A ray that touches a sharp
@@ -85,7 +86,9 @@ rays! {
         /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` is free of the solids and does not start
-        /// inside. A ray from `a` decides it.
+        /// inside.
+        ///
+        /// A ray from `a` decides it.
         ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).

@@ -161,11 +161,11 @@ impl BorderKind {
     }
 }
 
-/// A convex shape that may move or turn: a sloped lift, a bumper, a seesaw. Plain data.
+/// A convex shape that may move or turn: a sloped lift, a bumper, a seesaw.
 ///
-/// Sharp shapes may have any direction. Round ones are circles, capsules along x or y, and as
-/// [`AnyShape`] boxes along x and y with a radius. A box that only moves costs less as a
-/// [`Solid`](crate::Solid). That type has conveyors and one-way sides, too.
+/// It is plain data. Sharp shapes may have any direction. Round ones are circles, capsules along x
+/// or y, and as [`AnyShape`] boxes along x and y with a radius. A box that only moves costs less as
+/// a [`Solid`](crate::Solid). That type has conveyors and one-way sides, too.
 ///
 /// A list of them is a level, [`ConvexSolids`](crate::world::ConvexSolids), and
 /// [`Mover::ride_convex`](crate::Mover::ride_convex) carries and pushes bodies with them. Solids do
@@ -245,7 +245,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         shape.solid(key)
     }
 
-    /// Sets the user flags. Hits report them as those of a tile.
+    /// Sets the user flags, which hits report as those of a tile.
     pub const fn with_flags(mut self, flags: u8) -> Self {
         self.flags = flags;
         self
@@ -283,9 +283,9 @@ impl<S: SolidShape> ConvexSolid<S> {
         Ok(())
     }
 
-    /// This solid with another shape after this frame, which may be turned and moved. The result is
-    /// a new value: to change a solid in a list, call [`set_turn`](Self::set_turn).
+    /// This solid with another shape after this frame, which may be turned and moved.
     ///
+    /// The result is a new value: to change a solid in a list, call [`set_turn`](Self::set_turn).
     /// Its corners move to those of `next` between sides of the same lengths. If there are several
     /// choices, the least turn is used. So turn a plank by less than 90 degrees, and a square by
     /// less than 45. The part of the border that a body touches carries it, and the body stays in
@@ -344,8 +344,10 @@ impl<S: SolidShape> ConvexSolid<S> {
         (self.shape, self.drive, self.whole) = (self.next, Drive::Moves(Vec2::ZERO), self.next.extent());
     }
 
-    /// Moves all solids of a list at once. Call it after the bodies
-    /// [ride](crate::Mover::ride_convex), and before they move by themselves.
+    /// Moves all solids of a list at once.
+    ///
+    /// Call it after the bodies [ride](crate::Mover::ride_convex), and before they move by
+    /// themselves.
     pub fn move_all(list: &mut [Self]) {
         for solid in list {
             solid.go();
@@ -364,7 +366,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         self.next
     }
 
-    /// Its motion in this frame. `None` if it turns.
+    /// Its motion in this frame; `None` if it turns.
     #[must_use]
     pub const fn motion(&self) -> Option<Vec2> {
         match self.drive {

@@ -37,11 +37,11 @@ use crate::world::trail::Trail;
 use features::SolidFeatures;
 use solid::Solid;
 
-/// Moving boxes as a level, at their current positions. It borrows the list and needs no memory.
+/// Moving boxes as a level, at their current positions.
 ///
-/// [`Joined::new(&level, &solids)`](crate::Joined) is the level with its platforms and doors in it.
-/// A platform that is flush with a floor, or with another platform, is one floor with it: no seam
-/// trips a walker.
+/// It borrows the list and needs no memory. [`Joined::new(&level, &solids)`](crate::Joined) is the
+/// level with its platforms and doors in it. A platform that is flush with a floor, or with another
+/// platform, is one floor with it: no seam trips a walker.
 ///
 /// ```text
 ///   ####      +------+        level and solids, joined:  ____  ______
@@ -91,13 +91,12 @@ impl<'a> Solids<'a> {
         self.list
     }
 
-    /// The key of a solid, from the cell of a feature, a contact, a floor or a hit. `None` for the
-    /// cell of a tile or a segment.
+    /// The key of a solid, from the cell of a feature, a contact, a floor or a hit.
     ///
-    /// Hits and floors have methods for it: [`Hit::solid`](crate::Hit::solid),
-    /// [`Support::solid`](crate::Support::solid), [`RayHit::solid`](crate::RayHit::solid). The
-    /// [`source`](crate::world::Feature::source) distinguishes the keys of two
-    /// [joined](crate::Joined) lists.
+    /// It is `None` for the cell of a tile or a segment. Hits and floors have methods for it:
+    /// [`Hit::solid`](crate::Hit::solid), [`Support::solid`](crate::Support::solid),
+    /// [`RayHit::solid`](crate::RayHit::solid). The [`source`](crate::world::Feature::source)
+    /// distinguishes the keys of two [joined](crate::Joined) lists.
     ///
     /// ```
     /// use tilesat::{Aabb, Cell, Solid, Solids, Vec2};
@@ -121,10 +120,10 @@ impl<'a> Solids<'a> {
     }
 
     /// The solids that a box, circle or point touches anywhere on a straight motion, in the order
-    /// of the list. Use it for triggers, pick-ups, and doors that a ghost passes.
+    /// of the list.
     ///
-    /// One-way solids count as boxes. Exact; borders count. Cost: one or a few exact tests per
-    /// solid.
+    /// Use it for triggers, pick-ups, and doors that a ghost passes. One-way solids count as boxes.
+    /// Exact; borders count. Cost: one or a few exact tests per solid.
     ///
     /// The solids that a body passes are not in the list that its mover sees. Sort the solids so
     /// that each kind of body sees a part of the list:
@@ -162,8 +161,10 @@ impl<'a> Solids<'a> {
     }
 
     /// The solids that a box, circle or point touches anywhere on the path of a mover, in the order
-    /// of the list. It is [`swept`](Self::swept) for a path of several parts; `shape` is the body
-    /// before the call of [`Mover::move_along`](crate::Mover::move_along).
+    /// of the list.
+    ///
+    /// It is [`swept`](Self::swept) for a path of several parts; `shape` is the body before the
+    /// call of [`Mover::move_along`](crate::Mover::move_along).
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, world::Trail};
@@ -199,8 +200,9 @@ impl<'a> Solids<'a> {
 
 levels! {
     [] Solids<'_> {
-        /// Whether a shape overlaps one of the solids; strict and exact. One-way solids do not
-        /// count.
+        /// Whether a shape overlaps one of the solids; strict and exact.
+        ///
+        /// One-way solids do not count.
         ///
         /// ```
         /// use tilesat::{Aabb, Solid, Solids, Vec2};
@@ -213,10 +215,13 @@ levels! {
         /// ```
         overlaps,
         /// Whether a shape has a point in common with one of the solids, borders included; exact.
+        ///
         /// One-way solids do not count.
         touches,
         /// The flags, or-ed, of all solids that a box, circle or point touches, one-way ones
-        /// included. Borders count. Exact. Cost: a look at each solid.
+        /// included.
+        ///
+        /// Borders count. Exact. Cost: a look at each solid.
         ///
         /// ```
         /// use tilesat::{Aabb, Solid, Solids, Vec2};

@@ -20,8 +20,9 @@ impl RayPieces for Solids<'_> {
 }
 
 impl<'a> Solids<'a> {
-    /// All hits of a ray in order, as if it continued through what it hits. Hits at the same moment
-    /// count as one.
+    /// All hits of a ray in order, as if it continued through what it hits.
+    ///
+    /// Hits at the same moment count as one.
     ///
     /// Cost: as [`cast_ray`](Self::cast_ray) for each hit.
     ///
@@ -45,7 +46,7 @@ impl<'a> Solids<'a> {
 rays! {
     [] Solids<'_> {
         /// The first point of the closed solids at their current positions that a ray from `origin`
-        /// along `motion` meets. `None` if it ends before.
+        /// along `motion` meets, or `None` if it ends before.
         ///
         /// Every decision is exact, by the rules of [`TileMap::cast_ray`](crate::TileMap::cast_ray)
         /// for the union of the boxes. A ray along a seam of two flush boxes is inside them. The
@@ -72,7 +73,9 @@ rays! {
         /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` is free of the solids and does not start
-        /// inside. A ray from `a` decides it. One-way solids do not block it.
+        /// inside.
+        ///
+        /// A ray from `a` decides it. One-way solids do not block it.
         ///
         /// ```
         /// use tilesat::{Aabb, Solid, Solids, Vec2};

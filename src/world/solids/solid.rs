@@ -33,7 +33,9 @@ impl Side {
     }
 }
 
-/// A box that may move: a platform, a door, a crusher. Plain data, 36 bytes.
+/// A box that may move: a platform, a door, a crusher.
+///
+/// It is plain data, and takes 36 bytes.
 ///
 /// ```text
 ///            one-way Up: blocks from this side only
@@ -79,8 +81,9 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A box at rest, solid from all sides. Choose the `key`: results contain it, and on a tie the
-    /// smaller key wins.
+    /// A box at rest, solid from all sides.
+    ///
+    /// Choose the `key`: results contain it, and on a tie the smaller key wins.
     ///
     /// # Errors
     /// [`RangeError`] if the box has no width or no height.
@@ -95,7 +98,7 @@ impl Solid {
         Ok(Self { shape, motion: Vec2::ZERO, conveyor: Vec2::ZERO, key, flags: 0, side: None })
     }
 
-    /// Sets the user flags. Hits report them as those of a tile.
+    /// Sets the user flags, which hits report as those of a tile.
     pub const fn with_flags(self, flags: u8) -> Self {
         Self { flags, ..self }
     }
@@ -123,8 +126,10 @@ impl Solid {
         Self { conveyor, ..self }.checked()
     }
 
-    /// This solid with a motion for this frame, from its current position. The result is a new
-    /// value: to change a solid in a list, call [`set_motion`](Self::set_motion).
+    /// This solid with a motion for this frame, from its current position.
+    ///
+    /// The result is a new value: to change a solid in a list, call
+    /// [`set_motion`](Self::set_motion).
     ///
     /// # Errors
     /// [`RangeError`] if the motion, or its sum with the conveyor, has a component of [`MOTION`] or
@@ -189,8 +194,9 @@ impl Solid {
         Self { shape, motion: Vec2::ZERO, ..self }
     }
 
-    /// Moves all solids of a list at once. Call it after the bodies [ride](crate::Mover::ride), and
-    /// before they move by themselves.
+    /// Moves all solids of a list at once.
+    ///
+    /// Call it after the bodies [ride](crate::Mover::ride), and before they move by themselves.
     ///
     /// ```
     /// use tilesat::{Aabb, Axis, Fx, Joined, Mover, Solid, Solids, TileKind, TileKinds, TileMap, Vec2};
@@ -235,7 +241,7 @@ impl Solid {
         self.flags
     }
 
-    /// The side that blocks. `None`: all of them.
+    /// The side that blocks; `None` if all do.
     #[must_use]
     pub const fn one_way(&self) -> Option<Side> {
         self.side
