@@ -85,7 +85,7 @@ mod order {
         lefts.iter().map(|&x| Aabb::from_raw_unchecked(Raw { x, y: 0 }, Raw { x: x + 1, y: 1 })).collect()
     }
 
-    /// The same slots, by left sides.
+    /// Checks that the slots are the same ones, in the order of their left sides.
     fn check(order: &[u16], bounds: &[Aabb]) {
         assert!(order.is_sorted_by_key(|&slot| left(bounds, slot)), "{order:?}");
         let mut slots = order.to_vec();
@@ -93,7 +93,7 @@ mod order {
         assert!(slots.iter().copied().eq(0..bounds.len() as u16));
     }
 
-    /// Every sequence of up to 6 left sides out of 5, by both ways: all orders, all ties.
+    /// Every sequence of up to 6 left sides out of 5, sorted in both ways: all orders, all ties.
     #[test]
     fn all_small_orders() {
         for n in 0..=6 {
@@ -110,8 +110,8 @@ mod order {
         }
     }
 
-    /// Where it has to give up in the middle, where it has not, and at the border: i shifts for the
-    /// i-th slot.
+    /// Reversed orders, which take i shifts for the i-th slot. The sort has to give up in the
+    /// middle, does not have to, or is at the border.
     #[test]
     fn backwards() {
         for n in [1, 2, 16, 17, 18, 19, 40, 1000] {

@@ -30,8 +30,7 @@ impl Random {
     }
 }
 
-/// When a box on its way first touches another one, in parts of 2^30 rounded down; closed at both
-/// ends.
+/// When a moving box first touches another one, in parts of 2^30 rounded down; closed at both ends.
 fn touched(start: &Aabb, motion: Raw, body: &Aabb) -> Option<u32> {
     // The latest entry and the earliest exit, as fractions with a positive denominator.
     let (mut enter, mut leave): (Fractions, Fractions) = ((0, 1), (1, 1));
@@ -160,7 +159,7 @@ fn all_that_is_on_a_way_or_near_a_point_comes_once() {
 mod lattice {
     use crate::broad::cells::lattice::{CellRange, Window};
 
-    /// More cells than a word can count are more than there are bodies.
+    /// If a window has more cells than a word can count, it has more than there are bodies.
     #[test]
     fn windows_are_counted_beyond_a_word() {
         let run = |cells: i32| CellRange { lo: -3, hi: cells - 4 };
@@ -189,7 +188,8 @@ mod hash {
     }
 }
 
-/// What the compiler says of a number in the wrong place: `N` is not everywhere the first one.
+/// The compiler's messages for a number in the wrong place, because `N` is not always the first
+/// one.
 mod refusals {
     use crate::broad::cells::{grid::check_blocks, hash::factor};
     use crate::broad::table::check_bodies;

@@ -1,4 +1,4 @@
-//! The ways that frequent pairs take, against the general ones.
+//! The short tests of frequent pairs, against the general code.
 
 #![allow(clippy::unwrap_used, reason = "a test")]
 
@@ -32,7 +32,7 @@ fn near(r: &mut Random, size: i64) -> (OrientedBox, OrientedBox) {
     (a, at(touch).translated(vec((r.around(3), r.around(3)))).unwrap())
 }
 
-/// Of all sizes, the answers by floats and by leading bits are those of exact products, or none.
+/// For boxes of all sizes, floats and leading bits give the answers of exact products, or none.
 #[test]
 fn near_boxes_by_floats_and_by_leading_bits() {
     let mut r = Random::new(83);
@@ -76,7 +76,7 @@ fn across_by_one(e: Raw) -> Option<(i64, i64)> {
     (a.abs() == 1).then_some((p.0 * a, p.1 * a))
 }
 
-/// Of long sides, a margin of a few square units: floats are off by more, and must not settle it.
+/// Long sides with a margin of a few square units: floats are off by more, and must not settle it.
 #[test]
 fn least_margins_of_large_boxes() {
     let mut r = Random::new(85);
@@ -158,12 +158,12 @@ fn distances_and_contacts_by_floats() {
     assert!(enough(told > few && whole > few && deep > few), "{told} {whole} {deep}");
 }
 
-/// So many 2^30ths of a way, and some more.
+/// The given number of 2^30ths of a path, and some more.
 fn part(way: (i64, i64), t: i64, by: (i64, i64)) -> (i64, i64) {
     (((way.0 * t) >> 30) + by.0, ((way.1 * t) >> 30) + by.1)
 }
 
-/// The last point on a line of 2^30 points, by number, at which something is true.
+/// The number of the last point on a line of 2^30 points at which something is true.
 fn last(holds: impl Fn(i64) -> bool) -> i64 {
     let (mut inside, mut outside) = (0, 1 << 30);
     while outside - inside > 1 {
@@ -173,7 +173,7 @@ fn last(holds: impl Fn(i64) -> bool) -> i64 {
     inside
 }
 
-/// A circle that touches a box, nearly, overlaps it by floats if it does by integers.
+/// A circle that nearly touches a box overlaps it by floats exactly if it does by integers.
 #[test]
 fn circles_near_boxes_by_floats() {
     let mut r = Random::new(86);
@@ -205,9 +205,10 @@ fn quad(r: &mut Random, size: i64) -> Option<ConvexPolygon<4>> {
     ConvexPolygon::new(&corners).ok()
 }
 
-/// Floats and leading bits say of two quads what integers say.
+/// Checks that floats and leading bits agree with integers about two quads.
 ///
-/// Whether the quads overlap, whether leading bits tell, and whether floats find a contact.
+/// Returns whether the quads overlap, whether leading bits decide, and whether floats find a
+/// contact.
 fn same_of_quads(a: &ConvexPolygon<4>, b: &ConvexPolygon<4>) -> (bool, bool, bool) {
     let [p, q] = [a, b].map(|of| Core { corners: of.outline(), radius: 0 });
     let (open, closed) = (each_side::meet::<false>(p, q), each_side::meet::<true>(p, q));
@@ -227,7 +228,7 @@ fn same_of_quads(a: &ConvexPolygon<4>, b: &ConvexPolygon<4>) -> (bool, bool, boo
     (open, by_bits.is_some(), is_deep)
 }
 
-/// Of all sizes and depths. Leading bits settle those that do not nearly touch.
+/// Quads of all sizes and depths. Leading bits settle those that do not nearly touch.
 #[test]
 fn near_quads_by_floats_and_by_leading_bits() {
     let mut r = Random::new(87);
@@ -252,8 +253,8 @@ fn near_quads_by_floats_and_by_leading_bits() {
     assert!(enough(told > few && deep > few && unsure > few), "{told} {deep} {unsure}");
 }
 
-/// Two quads around one point, nearly, that are their own images after a half turn or a quarter.
-/// Two sides are as near as each other, or nearly, and floats must not tell which.
+/// Two quads around nearly the same point that are their own images after a half turn or a quarter.
+/// Two sides are equally near, or nearly so, and floats must not choose between them.
 #[test]
 fn tied_sides_of_quads() {
     let mut r = Random::new(89);
@@ -276,7 +277,7 @@ fn tied_sides_of_quads() {
     assert!(enough(told > few && tied > few), "{told} {tied}");
 }
 
-/// Of long sides, a height of a few thousand square units.
+/// Long sides with a height of a few thousand square units.
 #[test]
 fn least_heights_of_large_quads() {
     let mut r = Random::new(88);
