@@ -228,7 +228,7 @@ impl Segment {
     /// Each component is the exact one rounded to nearest, halves toward `p`, so the point may be
     /// half a raw unit off the segment. Reversing the segment changes nothing, and mirrored points
     /// give mirrored bits. `p` may be anywhere. The point is exact and cheap for segments along x
-    /// or y, or if an end is nearest. Otherwise it takes two long divisions, some 2050 instructions
+    /// or y, or if an end is nearest. Otherwise it takes two long divisions, some 2000 instructions
     /// on a Cortex-M0.
     ///
     /// ```

@@ -17,8 +17,8 @@ use crate::shape::{Aabb, Circle, Segment};
 /// `a.overlaps(&b)` is `b.overlaps(&a)`, and is true exactly if
 /// [`contact`](super::Contacts::contact) is `Some`. Cost on a Cortex-M0: boxes take 20
 /// instructions. Two circles, or a circle and a box, take 20 if they are apart, 35 if near, and 85
-/// within a rounding error of touching. A circle and a segment take 55 if apart and 500 if near.
-/// There is no root and no division. It cannot fail.
+/// to 97 within a rounding error of touching. A circle and a segment take 55 if apart and 500 if
+/// near. There is no root and no division. It cannot fail.
 ///
 /// ```text
 ///   +----+            +----+----+          +------+

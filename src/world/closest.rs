@@ -71,8 +71,8 @@ closest_point_of! {
     /// Cost: it searches squares around `p`. The half side starts at one cell and doubles until the
     /// nearest point is found, up to `within`. In total it examines at most twice the features of
     /// the last square, which has at most `(2 within / cell + 3)` squared cells. [`Near::features`]
-    /// counts them. Within a cell of 24 units, of which a quarter hold a shape, some 13 000
-    /// instructions on a Cortex-M0.
+    /// counts them. Within one cell of 24 units, if a quarter of the cells hold a shape, it takes
+    /// some 10 000 instructions on a Cortex-M0.
     ///
     /// ```
     /// use tilesat::{AllShapes, Axis, Fx, Grid, TileKind, TileKinds, TileMap, TileShape, Vec2, world::OneWay};

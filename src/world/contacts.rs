@@ -407,7 +407,7 @@ pub(in crate::world) mod kernel {
     /// A shape that is no compound.
     pub trait PushOne {
         /// Whether all contacts count if none is in its region, not only the least. They are often
-        /// ties, of which none wins.
+        /// ties, which none wins.
         const ROUND: bool;
         /// The bounding box, with the same middle.
         fn bounds(&self) -> Aabb;

@@ -180,7 +180,7 @@ pub struct MotionPiece<'a> {
     pub(crate) joints: bool,
 }
 
-/// The rounding of a body of which only the bounds count. An option would be two words.
+/// The rounding of a body if only its bounds count. An option would be two words.
 pub(crate) const ANY_BODY: i32 = -1;
 
 /// The result of a look at a region.

@@ -51,9 +51,9 @@ pub use kernel::{CastHit, Inside, MovingHit};
 /// axis points to the left of the motion (y up). In a mirrored scene it is on the other one, and
 /// the axis may have another length.
 ///
-/// Cost on a Cortex-M0, in instructions for a yes and for a whole hit: boxes take 160 and 335,
-/// circles 300 and 1290. A circle and a box take 480 and 1100. A circle and a segment take 1170 and
-/// 2390, a box and a segment 1210 and 2190. There is one root if a circle meets a circle, a corner
+/// Cost on a Cortex-M0, in instructions for a yes and for a whole hit: boxes take 140 and 340,
+/// circles 315 and 1300. A circle and a box take 450 and 1130. A circle and a segment take 1200 and
+/// 2410, a box and a segment 1230 and 2220. There is one root if a circle meets a circle, a corner
 /// or a slanted side, else none, and no division instruction.
 ///
 /// ```

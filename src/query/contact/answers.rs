@@ -48,7 +48,7 @@ impl Contact {
         if !LONG {
             return (self.depth(), self.normal());
         }
-        // A radial axis is no parallel: the test that tells them apart is made once.
+        // A radial axis is never parallel to x or y: the test that distinguishes them is made once.
         let (unit, depth) = if self.radial {
             radial_exit(self.axis, self.axis.length_squared(), self.radii())
         } else if self.is_parallel() {
@@ -178,8 +178,8 @@ impl Contact {
     }
 }
 
-/// [`Contact::depth`] where the axis is parallel to neither x nor y, by values: a contact that is
-/// only asked stays in registers. On 64-bit processors a call.
+/// [`Contact::depth`] where the axis is parallel to neither x nor y, by values, so a contact that
+/// is only read stays in registers. It is a call on 64-bit processors.
 #[cfg_attr(target_pointer_width = "64", inline(never))]
 #[cfg_attr(not(target_pointer_width = "64"), inline(always))]
 const fn sloped_depth(axis: Axis, overlap: i64, radii: i32, radial: bool) -> i32 {

@@ -184,7 +184,7 @@ fn beside(c: Raw, e: Raw, cross: i64) -> Contact {
     Contact::new(axis, (cross.unsigned_abs() as i64).wrapping_neg(), c)
 }
 
-/// A circle whose centre is on the segment with this edge: both sides are as near.
+/// A circle whose centre is on the segment with this edge: both sides are equally near.
 #[inline]
 fn on_segment(c: Raw, e: Raw, prefer: i32) -> Contact {
     Contact::new(across(e, prefer), 0, c).with_degenerate(true)

@@ -66,7 +66,7 @@ pub(super) fn nearest(p: &Parallelogram, q: &Parallelogram) -> Result<Option<Pol
     if toward == 0 {
         return Err(Unsure);
     }
-    // No other side is parallel, or it would be as near.
+    // No other side is parallel, or it would be equally near.
     Ok(Some(side_toward(p, q, (k, side), toward < 0).0))
 }
 

@@ -53,7 +53,7 @@ pub(super) fn enter(a: Core<'_>, b: Core<'_>, d: Raw) -> Course<ConvexGate> {
     }
 }
 
-/// The direction out of B across a side of the sum, and how fast the origin comes in by it: below
+/// The direction out of B across a side of the sum, and how fast the origin enters by it: below
 /// 2^61.
 pub(super) const fn inward(side: &PolygonSide, d: Raw) -> (Axis, i64) {
     (Axis::new(side.edge.y.wrapping_neg(), side.edge.x), d.cross(side.edge))

@@ -62,9 +62,9 @@ fn nearest(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> 
 }
 
 /// The side of the sum that is nearest to an origin inside or on the border, and whether another
-/// one is as near. If there are several, the one whose normal is first in the documented order,
-/// whatever the first corner of the walk is. None for an origin outside, and on the border if that
-/// is `open`.
+/// one is equally near. If there are several, the one whose normal is first in the documented
+/// order, whatever the first corner of the walk is. None for an origin outside, and on the border
+/// if that is `open`.
 fn least(a: Core<'_>, b: Core<'_>, open: bool) -> Option<(PolygonSide, bool)> {
     let mut best: Option<(Nearness, PolygonSide)> = None;
     let mut tie = false;

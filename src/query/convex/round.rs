@@ -50,9 +50,10 @@ impl ArcCell {
 
     /// Whether a shape overlaps, or touches, the quarter of the disc.
     ///
-    /// Grown by the shape's radius, the quarter is that of a larger disc, and everything as near to
-    /// its two straight sides. For a shape without radius that overlaps the square, its part in the
-    /// quadrant is the limit of the part inside. So this tests the quarter's closed side.
+    /// Grown by the shape's radius, the quarter is that of a larger disc, and everything within
+    /// that radius of its two straight sides. For a shape without radius that overlaps the square,
+    /// its part in the quadrant is the limit of the part inside. So this tests the quarter's closed
+    /// side.
     pub(crate) fn convex_meets<const CLOSED: bool>(&self, core: Core<'_>) -> bool {
         if core.radius == 0 && !CLOSED && !self.overlaps_square(core) {
             return false;

@@ -35,7 +35,7 @@ pub(super) fn meet([u, v, s, t, d]: [Raw; 5]) -> Option<bool> {
     let size = |e: Raw, f: Raw| nearly_size(short_cross(e, f));
     let unless_near = |m: i32| if m < -2 * OFF { Some(false) } else { None };
     // The margins of `exact_margins`, less OFF. Each is used at once: with all four at hand, a
-    // Cortex-M3 takes 135 instructions in place of 124.
+    // Cortex-M3 takes 135 instructions instead of 124.
     let own = short_cross(u, v) - OFF;
     let (us, ut) = (size(u, s), size(u, t));
     let across_u = own - size(u, d) + us + ut;

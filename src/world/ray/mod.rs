@@ -198,7 +198,7 @@ impl Touch {
     ///
     /// A point within an arc is later than any fraction that a ray meets in the same step. The
     /// tile's other pieces are on the border of its cell, and the ray meets them where it comes in.
-    /// (A face on the border opposes rays that come in across it. One that is met where the ray
+    /// (A face on the border opposes rays that enter across it. One that is met where the ray
     /// leaves is met by a ray that has a single point in the cell.)
     pub(in crate::world) fn precedes<L: RayPieces>(&self, of: &Feature, other: &Met, d: Raw) -> bool {
         let (Some(a), Some(b)) = (self.time, other.touch.time) else { return self.time.is_some() };

@@ -312,7 +312,7 @@ fn signed<L: RayPieces>(d: i32, normal: i32, time: Time) -> i32 {
 }
 
 /// The hit of a ray along a grid line at the last line that it has crossed, or at its start on one.
-/// There it comes out of the open and goes into the solid, and no piece opposes it.
+/// There it leaves the open and enters the solid, and no piece opposes it.
 ///
 /// That is between a convex arc and the surface that it touches. Both are tangent to the ray, and
 /// the solid behind the point has no face there.
