@@ -10,10 +10,9 @@ use heapless::VecView;
 
 /// Finds which bodies are near each other, by their boxes.
 ///
-/// There are four implementations with the same answers. Boxes that only touch count ("near" is
-/// closed). So it misses nothing that `overlaps`, `touches` or `contact` of the shapes would find.
-/// Insert a circle by its [`aabb`](crate::Circle::aabb), and a fast body by the box of its whole
-/// motion.
+/// Four implementations give the same answers. Boxes that only touch count ("near" is closed). So a
+/// query misses nothing that `overlaps`, `touches` or `contact` of the shapes would find. Insert a
+/// circle by its [`aabb`](crate::Circle::aabb), and a fast body by the box of its whole motion.
 ///
 /// | question | closure, no order | in order, into a buffer |
 /// |---|---|---|
@@ -76,8 +75,7 @@ pub trait BroadPhase: Spatial {
     /// per frame is cheaper than one per body.
     ///
     /// # Errors
-    /// The first error of [`move_to`](Self::move_to), with the body. That body stays where it was,
-    /// and the others move.
+    /// The first error of [`move_to`](Self::move_to), with the body, which stays. The others move.
     #[inline]
     fn move_each(&mut self, to: impl FnMut(Handle, &Aabb) -> Aabb) -> Result<(), (Handle, BroadError)> {
         self.move_all(to)
@@ -159,8 +157,7 @@ pub trait BroadPhase: Spatial {
         self.table().iter()
     }
 
-    /// Every pair of bodies whose tags let them pair and whose boxes touch, once, in no particular
-    /// order.
+    /// Every pair whose boxes touch and whose tags let them pair, once, in no particular order.
     #[inline]
     #[doc(alias = "updatePairs")]
     fn pairs(&mut self, mut each: impl FnMut(Pair)) {
@@ -185,10 +182,11 @@ pub trait BroadPhase: Spatial {
         self.walk(cursor, &mut Budget(budget), |pair| out.push(pair).is_ok())
     }
 
-    /// Replaces the contents of `out` by all pairs in canonical order. This is the order of the
-    /// [key](super::Tag::key) of the first body, then that of the second, then the slots. With
-    /// unique keys the result depends neither on the order of insertion nor on the kind of broad
-    /// phase.
+    /// Replaces the contents of `out` by all pairs in canonical order.
+    ///
+    /// This is the order of the [key](super::Tag::key) of the first body, then that of the second,
+    /// then the slots. With unique keys the result depends neither on the order of insertion nor on
+    /// the kind of broad phase.
     ///
     /// Cost: that of [`pairs`](Self::pairs), and at most 4 log2 k comparisons for each pair, if k
     /// pairs are kept. 164 pairs among 512 bodies take some 130 000 instructions on a Cortex-M0.
@@ -279,10 +277,11 @@ pub trait BroadPhase: Spatial {
     }
 
     /// The body for which `wanted` is true whose box is nearest to a point and at most `within`
-    /// units away. On a tie, the one with the smaller key, then slot.
+    /// units away.
     ///
-    /// With [`Fx::MAX`] there is no limit. Distances are compared by their exact squares. `wanted`
-    /// is called at most once per body, and only for bodies that would be nearest.
+    /// On a tie, the one with the smaller key, then slot. With [`Fx::MAX`] there is no limit.
+    /// Distances are compared by their exact squares. `wanted` is called at most once per body, and
+    /// only for bodies that would be nearest.
     ///
     /// Cost: without cells, a look at every body. With cells, those in a square that shrinks to the
     /// nearest body found; in the worst case all bodies. One root. Among 512 bodies in 1024 x 768
@@ -316,8 +315,9 @@ pub trait BroadPhase: Spatial {
     }
 
     /// Replaces the contents of `out` by all bodies whose boxes are at most `within` units away
-    /// from a point, and for which `wanted` is true. The nearest comes first. The order is that of
-    /// [`nearest`](Self::nearest).
+    /// from a point, and for which `wanted` is true.
+    ///
+    /// The nearest comes first. The order is that of [`nearest`](Self::nearest).
     ///
     /// Cost: a region query of the square around the point. Each body found takes at most 4 log2 k
     /// comparisons, if k bodies are kept, and each body kept takes a root.
@@ -381,11 +381,12 @@ pub trait BroadPhase: Spatial {
     }
 
     /// Replaces the contents of `out` by all bodies whose boxes a ray from `origin` along `motion`
-    /// touches, and for which `wanted` is true. The earliest comes first. At the same time (in
-    /// parts of 2^30) the one with the smaller key comes first, then the smaller slot.
+    /// touches, and for which `wanted` is true.
     ///
-    /// It is closed and exact. A box that holds the start is touched at 0, also from its border. A
-    /// box that is only grazed counts, and so does the very end.
+    /// The earliest comes first. At the same time (in parts of 2^30) the one with the smaller key
+    /// comes first, then the smaller slot. It is closed and exact. A box that holds the start is
+    /// touched at 0, also from its border. A box that is only grazed counts, and so does the very
+    /// end.
     ///
     /// Cost: that of [`along`](Self::along), and at most 4 log2 k comparisons for each hit, if k
     /// hits are kept.

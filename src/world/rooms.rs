@@ -126,8 +126,9 @@ impl<'a, S: ShapeSet> Room<'a, S> {
         self.height
     }
 
-    /// Whether a point is in the room, not in its apron. Left and upper borders belong to the room,
-    /// right and lower ones to the next.
+    /// Whether a point is in the room, not in its apron.
+    ///
+    /// Left and upper borders belong to the room, right and lower ones to the next.
     #[must_use]
     pub const fn holds(&self, place: Vec2) -> bool {
         let (p, cell) = (Raw::of(place), self.map.grid.cell);
@@ -251,13 +252,13 @@ pub struct Rooms<'a, S: ShapeSet = AllShapes> {
 }
 
 impl<'a, S: ShapeSet> Rooms<'a, S> {
-    /// A world from its size and that of a room, both in columns and rows of cells. The last room
-    /// of a row and of a column may be smaller.
+    /// A world from its size and that of a room, both in columns and rows of cells.
+    ///
+    /// The last room of a row and of a column may be smaller.
     ///
     /// # Errors
     /// [`TileMapError`] if there are no cells, not enough tiles, or a cell or a shape that a map
-    /// cannot have. Also if a room does not fit the [domain](crate::num::DOMAIN) together with its
-    /// apron.
+    /// cannot have. Also if a room with its apron does not fit the [domain](crate::num::DOMAIN).
     pub const fn of(
         tiles: &'a [u8],
         world: (u16, u16),
@@ -335,8 +336,7 @@ impl<'a, S: ShapeSet> Rooms<'a, S> {
     ///
     /// Use it for a spawn or a door of the world. `None` beyond the world. Points of a world are
     /// cells, because a coordinate ends at 8192 units, and a world may not. [`Grid::bounds_of`]
-    /// gives the cell's box in the room's coordinates. [`Room::in_world`] is the inverse of this
-    /// method.
+    /// gives the cell's box in the room's coordinates. [`Room::in_world`] is the inverse.
     ///
     /// Cost: two 32-bit divisions and a [`room`](Self::room).
     ///

@@ -234,8 +234,10 @@ fn longer(d: Raw) -> u32 {
 }
 
 impl<S: SolidShape> ConvexSolid<S> {
-    /// A solid at rest. Choose the `key`: results contain it, and on a tie the smaller key wins. In
-    /// a constant, call `convex_solid` of the [shape](OrientedBox::convex_solid).
+    /// A solid at rest.
+    ///
+    /// Choose the `key`: results contain it, and on a tie the smaller key wins. In a constant, call
+    /// `convex_solid` of the [shape](OrientedBox::convex_solid).
     ///
     /// # Errors
     /// [`RangeError`] of [`Quantity::Area`] if the shape has no area. Of [`Quantity::BodySize`] if
@@ -251,9 +253,10 @@ impl<S: SolidShape> ConvexSolid<S> {
         self
     }
 
-    /// This solid with a motion for this frame, from its current position. The result is a new
-    /// value. To change a solid in a list, call [`set_motion`](Self::set_motion), which has an
-    /// example.
+    /// This solid with a motion for this frame, from its current position.
+    ///
+    /// The result is a new value. To change a solid in a list, call
+    /// [`set_motion`](Self::set_motion), which has an example.
     ///
     /// # Errors
     /// [`RangeError`] if the motion has a component of [`MOTION`] or more, or would take the shape
@@ -264,8 +267,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         Ok(Self { drive: Drive::Moves(motion), ..self.goes_to(next) })
     }
 
-    /// Sets the motion of this frame in place: [`with_motion`](Self::with_motion) for a solid in a
-    /// list.
+    /// Sets the motion of this frame in place, as [`with_motion`](Self::with_motion).
     ///
     /// ```
     /// use tilesat::{Circle, Vec2, fx, world::ConvexSolid};
@@ -308,8 +310,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         Ok(Self { drive, ..self.goes_to(next) })
     }
 
-    /// Sets the shape after this frame in place: [`with_turn`](Self::with_turn) for a solid in a
-    /// list.
+    /// Sets the shape after this frame in place, as [`with_turn`](Self::with_turn).
     ///
     /// ```
     /// use tilesat::{Axis, OrientedBox, Vec2, world::ConvexSolid};
@@ -410,8 +411,7 @@ impl<S: SolidShape> ConvexSolid<S> {
         self.shape.outline()
     }
 
-    /// The corners now and after a turn, and the corner of the second list that the first one goes
-    /// to.
+    /// The corners now and after a turn, and the second list's corner to which the first one goes.
     pub(crate) fn corners(&self) -> (S::Corners<'_>, S::Corners<'_>, usize) {
         let shift = match self.drive {
             Drive::Moves(_) => 0,
