@@ -16,9 +16,9 @@ use crate::shape::{Aabb, Circle, Segment};
 ///
 /// `a.overlaps(&b)` is `b.overlaps(&a)`, and is true exactly if
 /// [`contact`](super::Contacts::contact) is `Some`. Cost on a Cortex-M0: boxes take 20
-/// instructions. Two circles, or a circle and a box, take 20 if they are apart, 35 if near, and 85
-/// to 97 within a rounding error of touching. A circle and a segment take 55 if apart and 500 if
-/// near. There is no root and no division. It cannot fail.
+/// instructions. Two circles, or a circle and a box, take 20 if they are apart, and 35 if near.
+/// Within a rounding error of touching, they take 85 to 97. A circle and a segment take 55 if apart
+/// and 500 if near. There is no root and no division. It cannot fail.
 ///
 /// ```text
 ///   +----+            +----+----+          +------+
