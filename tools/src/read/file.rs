@@ -4,6 +4,8 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
+use super::text;
+
 /// A map of 4096 x 4096 tiles fits, as a list of numbers of five digits.
 const MAX_BYTES: u64 = 112 << 20;
 /// The limit for all files of a level together.
@@ -43,6 +45,11 @@ impl Files {
         self.total += bytes.len() as u64;
         self.read.push(path.to_owned());
         Ok(bytes)
+    }
+
+    /// The same of a text, in UTF-8.
+    pub(crate) fn utf8(&mut self, path: &Path) -> Result<Vec<u8>, String> {
+        text::utf8(self.bytes(path)?)
     }
 
     /// The path of a file that another file in this folder names. Some systems write `\\` between

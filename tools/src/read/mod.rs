@@ -2,7 +2,9 @@
 
 mod file;
 mod json;
+mod lax;
 mod ldtk;
+mod text;
 mod tiled;
 mod xml;
 
@@ -39,7 +41,9 @@ pub fn load(path: &Path, level: Option<&str>) -> Result<Levels> {
 ///
 /// One line that names the file and the reason that it cannot be read.
 pub fn text(path: &Path) -> Result<String> {
-    String::from_utf8(bytes(path)?).map_err(|_| Fail::new(format!("{}: not UTF-8 text", path.display())))
+    let of_file = |why: String| Fail::new(format!("{}: {why}", path.display()));
+    let bytes = Files::default().utf8(path).map_err(of_file)?;
+    String::from_utf8(bytes).map_err(|_| of_file("not UTF-8 text".to_owned()))
 }
 
 /// The same as bytes.
@@ -52,7 +56,7 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>> {
 }
 
 fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Result<Vec<Map>, String> {
-    let bytes = files.bytes(path)?;
+    let bytes = files.utf8(path)?;
     let end = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
     match &*end {
         "world" => return tiled::world(&bytes, level, path, files),

@@ -53,7 +53,7 @@ impl<'a> Xml<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Result<Self> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let text = std::str::from_utf8(bytes)
-            .map_err(|e| format!("line {}: not UTF-8 text", line(&bytes[..e.valid_up_to()])))?;
+            .map_err(|e| format!("line {}: not UTF-8 text: save it as UTF-8", line(&bytes[..e.valid_up_to()])))?;
         Ok(Self { text, at: 0, open: Vec::new(), empty: false })
     }
 

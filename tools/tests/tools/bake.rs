@@ -235,7 +235,7 @@ fn refused_grids() {
             "value 1 of layer 'G' has no identifier: name it in LDtk, or add --solid G:1",
         ),
         (change("1,0,2,1", "1,0,2"), "3 values for 2x2 cells"),
-        (change("1,0,2,1", "1,0,2,0.5"), "invalid type: floating point `0.5`"),
+        (change("1,0,2,1", "1,0,2,0.5"), "0.5 is not a whole number"),
         (change("\"__cWid\":2", "\"__cWid\":-2"), "__cWid is -2, not a count"),
         (change("\"__cWid\":2", "\"__cWid\":4000000000"), "more than 16777216 cells"),
         (change("\"__gridSize\":16", "\"__gridSize\":0"), "cells of 0 pixels"),

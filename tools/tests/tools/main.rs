@@ -31,6 +31,7 @@ mod old_files;
 mod outputs;
 mod play;
 mod played;
+mod programs;
 mod rooms;
 mod shapes;
 mod stamps;

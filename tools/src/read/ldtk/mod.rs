@@ -140,9 +140,9 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn level(&mut self, mut level: raw::Level, name: &str, world: Option<usize>) -> Result<Map> {
         if let (None, Some(file)) = (&level.layer_instances, &level.external_rel_path) {
-            let path = self.folder.join(file);
+            let path = self.files.named(self.folder, file);
             let of_file = |why: String| format!("{}: {why}", path.display());
-            let bytes = self.files.bytes(&path).map_err(of_file)?;
+            let bytes = self.files.utf8(&path).map_err(of_file)?;
             let apart: raw::Level =
                 json::parse(&bytes).map_err(|why| of_file(format!("not a level of LDtk: {why}")))?;
             level.layer_instances = apart.layer_instances;
@@ -150,7 +150,7 @@ impl Reader<'_> {
         }
         let layers = level.layer_instances.ok_or("its layers are neither here nor in a separate file")?;
         let mut palette = Palette::new();
-        let (mut read, mut tile, mut notes) = (Vec::new(), None, Vec::new());
+        let (mut read, mut tile, mut notes) = (Vec::new(), None, std::mem::take(&mut self.files.notes));
         let start = self.cells;
         // LDtk lists the uppermost layer first.
         for layer in layers.iter().rev() {
@@ -280,9 +280,11 @@ impl Reader<'_> {
         }
         let uid = layer.definition;
         let definition = self.definitions.layers.iter().find(|definition| definition.uid == uid);
-        let definition =
-            definition.ok_or_else(|| format!("defs.layers has no uid {uid}: save the project again in LDtk"))?;
-        let mut values = definition.values.iter().zip(1..);
+        // Other programs write projects without definitions. LDtk always defines all of its layers.
+        if definition.is_none() && !self.definitions.layers.is_empty() {
+            return Err(format!("defs.layers has no uid {uid}: save the project again in LDtk"));
+        }
+        let mut values = definition.into_iter().flat_map(|definition| &definition.values).zip(1..);
         let named = values.find(|(named, position)| number == if named.value == 0 { *position } else { named.value });
         let name = named.and_then(|(named, _)| named.identifier.clone()).filter(|name| !name.is_empty());
         let place = palette.all.len() as u32;

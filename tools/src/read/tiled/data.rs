@@ -49,8 +49,7 @@ fn too_long(form: &Form<'_>) -> String {
 fn packing(name: Option<&str>) -> Result<Packing, String> {
     match name {
         None | Some("") => Ok(Packing::None),
-        Some("zlib") => Ok(Packing::Zlib),
-        Some("gzip") => Ok(Packing::Gzip),
+        Some("zlib" | "gzip") => Ok(Packing::Deflate),
         Some("zstd") => Ok(Packing::Zstd),
         Some(other) => Err(format!("compression '{other}' is unknown: save the map again in Tiled")),
     }

@@ -26,12 +26,9 @@ pub(in crate::read) fn map(bytes: &[u8]) -> Option<String> {
             None
         };
     }
-    if begins("return {")
-        || begins("return{")
-        || begins("(function")
-        || has(text, "onTileMapLoaded")
-        || has(text, "TileMaps[")
-    {
+    if bytes.starts_with(b"\x1f\x8b") || begins("PK\x03\x04") {
+        is("a packed file", "unpack it first")
+    } else if is_program(text) {
         is("an export of Tiled for programs", "give the map itself, which ends in .tmx or .tmj")
     } else if begins("//") || begins("/*") {
         is("it begins with a comment, which neither XML nor JSON has", "remove it")
@@ -39,9 +36,36 @@ pub(in crate::read) fn map(bytes: &[u8]) -> Option<String> {
         is("a tileset of Tiled", "give a map that uses it")
     } else if element("template") && !element("map") {
         is("a template of Tiled", "give a map that uses it")
+    } else if is_table(text) {
+        is("a table of numbers, without the size and the classes of tiles", "give the map, which ends in .tmx or .tmj")
     } else {
         None
     }
+}
+
+/// How programs begin that hold a map: Tiled exports Lua and JavaScript.
+const PROGRAM: [&str; 10] = [
+    "return {",
+    "return{",
+    "(function",
+    "local ",
+    "var ",
+    "let ",
+    "const ",
+    "module.exports",
+    "export default",
+    "define(",
+];
+
+fn is_program(text: &[u8]) -> bool {
+    PROGRAM.iter().any(|begin| text.starts_with(begin.as_bytes()))
+        || has(text, "onTileMapLoaded")
+        || has(text, "TileMaps[")
+}
+
+/// A layer that Tiled exports as CSV.
+fn is_table(text: &[u8]) -> bool {
+    text.contains(&b',') && text.iter().all(|byte| byte.is_ascii_digit() || b",-; \t\r\n".contains(byte))
 }
 
 /// The first element of a file begins before this byte.

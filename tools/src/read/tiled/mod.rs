@@ -4,7 +4,6 @@
 mod cells;
 mod data;
 mod foreign;
-mod lax;
 mod number;
 mod objects;
 mod project;
@@ -43,8 +42,16 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     let is_json = json::is_json(&bytes);
     let map: raw::Map = if is_json { json::parse(&bytes) } else { tags::map(&bytes) }
         .map_err(|why| foreign::map(&bytes).unwrap_or_else(|| format!("not a Tiled map: {why}")))?;
+    let mut notes = Vec::new();
     if map.orientation.is_empty() {
-        return Err(foreign::map(&bytes).unwrap_or_else(|| "not a Tiled map: it has no orientation".to_owned()));
+        if let Some(why) = foreign::map(&bytes) {
+            return Err(why);
+        }
+        if map.tilewidth == 0 || map.layers.is_empty() {
+            return Err("not a Tiled map: it has no orientation".to_owned());
+        }
+        // Scripts and small editors leave it out.
+        notes.push("it has no orientation, and is read as an orthogonal map".to_owned());
     }
     drop(bytes);
     let (tile, grid) = side(&map)?;
@@ -59,6 +66,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
         tile,
         grid,
         infinite: map.infinite,
+        size: (map.width, map.height),
         is_json,
         folder,
         files,
@@ -71,7 +79,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     for layer in map.layers {
         reader.layer(layer, &Around::default())?;
     }
-    let mut notes = std::mem::take(&mut reader.files.notes);
+    notes.append(&mut reader.files.notes);
     if grid != (1, 1) {
         notes.push(format!(
             "cells of {}x{} pixels become cells of {tile}x{tile}: each of them is {}x{} of these, and takes a byte for each",
@@ -98,7 +106,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
 
 /// The side of a cell, and how many of them a cell of the file has along x and y.
 fn side(map: &raw::Map) -> Result<(u16, (u32, u32))> {
-    if map.orientation != "orthogonal" {
+    if !map.orientation.is_empty() && !map.orientation.eq_ignore_ascii_case("orthogonal") {
         return Err(format!(
             "the map is {}, not orthogonal, and the library has square cells only: in Tiled, under Map > Map \
              Properties, set Orientation to Orthogonal, and Tile Width and Tile Height to the same number",
@@ -137,6 +145,8 @@ struct Reader<'a> {
     /// How many cells a cell of the file has along x and y.
     grid: (u32, u32),
     infinite: bool,
+    /// Columns and rows of the file.
+    size: (u32, u32),
     is_json: bool,
     folder: &'a Path,
     files: &'a mut Files,
@@ -167,9 +177,14 @@ impl Reader<'_> {
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
             "tilelayer" => {
+                // Other programs leave out what a finite map says already.
+                let (width, height) = match (layer.width, layer.height) {
+                    (0, 0) if !self.infinite => self.size,
+                    own => own,
+                };
                 let form = Form {
-                    width: layer.width,
-                    height: layer.height,
+                    width,
+                    height,
                     encoding: layer.encoding.as_deref(),
                     compression: layer.compression.as_deref(),
                 };

@@ -44,7 +44,7 @@ impl Templates {
         let path = files.named(folder, name);
         if !self.objects.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            let bytes = match files.bytes(&path) {
+            let bytes = match files.utf8(&path) {
                 Err(why) if !path.exists() => {
                     let why = of_file(why);
                     return Ok((object, Some(why)));

@@ -7,10 +7,9 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::lax;
 use crate::model::property::{Properties, Value};
 use crate::read::file::Files;
-use crate::read::json;
+use crate::read::{json, lax};
 
 /// The file is in the map's folder or at most this many folders above.
 const HIGHEST: usize = 6;
@@ -74,7 +73,7 @@ impl Classes {
             return Self::default();
         };
         // Each map of a world reads it, but it counts once.
-        let read = Files::default().bytes(path).and_then(|bytes| json::parse::<Project>(&bytes));
+        let read = Files::default().utf8(path).and_then(|bytes| json::parse::<Project>(&bytes));
         if !files.read.contains(path) {
             files.read.push(path.clone());
         }

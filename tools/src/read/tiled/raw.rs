@@ -7,13 +7,13 @@ use std::fmt;
 use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-use super::lax;
 pub(super) use super::number::Number;
 use super::number::one;
 use crate::model::decimal::Decimal;
 use crate::model::object::Spot;
 use crate::model::property::{CLASS, LIST, Properties, Value};
 use crate::model::tileset::Part;
+use crate::read::lax;
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]

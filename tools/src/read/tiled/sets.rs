@@ -62,7 +62,11 @@ impl Sets {
     pub(super) fn add(&mut self, set: raw::Tileset, folder: &Path, files: &mut Files) -> Result<()> {
         let first = set.firstgid;
         if first == 0 {
-            return Err(format!("tileset '{}' has no firstgid", set.source.as_deref().unwrap_or(&set.name)));
+            let name = set.source.as_deref().unwrap_or(&set.name);
+            return Err(format!(
+                "tileset '{name}' has no firstgid, or 0: give it the number of its first tile in the layers; that of the \
+                 first tileset is 1"
+            ));
         }
         let index = self.index(set, folder, files)?;
         match self.first.insert(first, index) {
@@ -85,7 +89,7 @@ impl Sets {
             return Ok(index);
         }
         let of_file = |why: String| format!("tileset {}: {why}", path.display());
-        let bytes = match files.bytes(&path) {
+        let bytes = match files.utf8(&path) {
             Err(why) if !path.exists() => {
                 let name =
                     Path::new(&source.replace('\\', "/")).file_stem().unwrap_or_default().to_string_lossy().into();

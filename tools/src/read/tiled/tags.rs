@@ -77,7 +77,14 @@ fn number<T: std::str::FromStr + Default>(xml: &Xml<'_>, tag: &Tag<'_>, name: &s
 
 fn count<T: std::str::FromStr>(xml: &Xml<'_>, tag: &Tag<'_>, name: &str) -> Result<Option<T>> {
     let bad = |text: &str| xml.here(&format!("<{}> has {name}=\"{text}\"", tag.name));
-    tag.get(name).map(|text| text.trim().parse().map_err(|_| bad(text))).transpose()
+    let read = |text: &str| text.parse().ok().or_else(|| whole(text)?.parse().ok());
+    tag.get(name).map(|text| read(text.trim()).ok_or_else(|| bad(text))).transpose()
+}
+
+/// A whole number as programs write it that count in decimals: `16.0`.
+fn whole(text: &str) -> Option<&str> {
+    let (whole, part) = text.split_once('.')?;
+    part.bytes().all(|digit| digit == b'0').then_some(whole)
 }
 
 fn decimal(xml: &Xml<'_>, tag: &Tag<'_>, name: &str) -> Result<Option<Number>> {
@@ -94,7 +101,10 @@ fn comma(text: &str) -> &'static str {
 }
 
 fn whose(tag: &Tag<'_>) -> String {
-    if tag.name == "object" { format!("object {}", tag.text("id")) } else { format!("<{}>", tag.name) }
+    match tag.get("id") {
+        Some(id) if tag.name == "object" => format!("object {id}"),
+        _ => format!("<{}>", tag.name),
+    }
 }
 
 fn tileset(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Tileset> {
@@ -178,7 +188,7 @@ fn properties(xml: &mut Xml<'_>) -> Result<Listed> {
             }
         }
         let value = match tag.get("type") {
-            Some("bool") => Some(Value::Bool(text == "true")),
+            Some("bool") => Some(Value::Bool(truth(&text))),
             Some("int" | "float") => Some(Value::Number(text)),
             None | Some("string" | "file" | "color") => Some(Value::Text(text)),
             Some(other) => special(other, &text),
@@ -186,6 +196,11 @@ fn properties(xml: &mut Xml<'_>) -> Result<Listed> {
         all.extend(value.map(|value| (name, value)));
     }
     Ok(Listed(Properties(all)))
+}
+
+/// As Tiled reads it: everything is true, except 0, the word false and nothing.
+fn truth(text: &str) -> bool {
+    !["", "0", "false"].iter().any(|no| text.eq_ignore_ascii_case(no))
 }
 
 /// A layer, a group of layers, or nothing of the kind.

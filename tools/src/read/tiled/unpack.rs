@@ -3,17 +3,27 @@
 use std::io::{Error, ErrorKind, Read, Result};
 
 use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
+use base64::alphabet;
+use base64::engine::DecodePaddingMode;
+use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig};
 use flate2::bufread::{GzDecoder, ZlibDecoder};
 use ruzstd::decoding::StreamingDecoder;
 
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Packing {
     None,
-    Zlib,
-    Gzip,
+    /// Zlib or gzip.
+    Deflate,
     Zstd,
 }
+
+/// Some programs leave the signs `=` at the end out.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &alphabet::STANDARD,
+    GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
+);
+/// The first bytes of a gzip stream.
+const GZIP: &[u8] = b"\x1f\x8b";
 
 /// Memory that a zstd stream may need: the size of the largest layer.
 const ZSTD_WINDOW: u64 = 1 << 26;
@@ -22,13 +32,16 @@ const ZSTD_WINDOW: u64 = 1 << 26;
 pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<Vec<u8>>> {
     // Some programs wrap the text.
     let text: Vec<u8> = text.iter().copied().filter(|byte| !byte.is_ascii_whitespace()).collect();
-    let packed = STANDARD.decode(text).map_err(invalid)?;
+    let packed = BASE64.decode(text).map_err(invalid)?;
     let limit = most.saturating_add(1);
     let mut bytes = Vec::new();
     match packing {
         Packing::None => packed.as_slice().take(limit).read_to_end(&mut bytes)?,
-        Packing::Zlib => ZlibDecoder::new(&packed[..]).take(limit).read_to_end(&mut bytes)?,
-        Packing::Gzip => GzDecoder::new(&packed[..]).take(limit).read_to_end(&mut bytes)?,
+        // Tiled unpacks both, whichever name they have.
+        Packing::Deflate if packed.starts_with(GZIP) => {
+            GzDecoder::new(&packed[..]).take(limit).read_to_end(&mut bytes)?
+        }
+        Packing::Deflate => ZlibDecoder::new(&packed[..]).take(limit).read_to_end(&mut bytes)?,
         Packing::Zstd => zstd(&packed, limit, &mut bytes)?,
     };
     Ok((bytes.len() as u64 <= most).then_some(bytes))

@@ -8,10 +8,10 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::data::MAX_CELLS;
-use super::{foreign, lax};
+use super::foreign;
 use crate::model::map::{Map, Place, Tiles};
 use crate::read::file::Files;
-use crate::read::json;
+use crate::read::{json, lax};
 
 type Result<T> = std::result::Result<T, String>;
 
@@ -23,7 +23,9 @@ const MAX_WORLD: u64 = 2 * MAX_CELLS;
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 struct World {
+    #[serde(deserialize_with = "lax::given")]
     maps: Vec<Listed>,
+    #[serde(deserialize_with = "lax::given")]
     patterns: Vec<IgnoredAny>,
 }
 
@@ -69,7 +71,7 @@ pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, file
         }
         let file = files.named(folder, &listed.file_name);
         let of_map = |why: String| format!("map '{name}': {}: {why}", file.display());
-        let bytes = files.bytes(&file).map_err(of_map)?;
+        let bytes = files.utf8(&file).map_err(of_map)?;
         let (mut map, infinite) = super::map(bytes, &file, files).map_err(of_map)?;
         let tiles = map.layers.iter().filter_map(|layer| layer.tiles());
         cells += tiles.map(|tiles| tiles.cells.len() as u64).sum::<u64>();

@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer};
 
 /// A whole number, also as `16.0` and as text. Null is 0.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Whole<T>(pub(super) T);
+pub(in crate::read) struct Whole<T>(pub(in crate::read) T);
 
 impl<'de, T: TryFrom<i64> + Default> Deserialize<'de> for Whole<T> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
@@ -45,17 +45,32 @@ impl<'de, T: TryFrom<i64> + Default> Deserialize<'de> for Whole<T> {
 }
 
 /// A whole number.
-pub(super) fn whole<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(from: D) -> Result<T, D::Error> {
+pub(in crate::read) fn whole<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(from: D) -> Result<T, D::Error> {
     Whole::deserialize(from).map(|number| number.0)
 }
 
+/// Whole numbers. Null is none.
+pub(in crate::read) fn wholes<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(
+    from: D,
+) -> Result<Vec<T>, D::Error> {
+    let all = Option::<Vec<Whole<T>>>::deserialize(from)?.unwrap_or_default();
+    Ok(all.into_iter().map(|number| number.0).collect())
+}
+
+/// Two whole numbers.
+pub(in crate::read) fn pair<'de, D: Deserializer<'de>>(from: D) -> Result<(i32, i32), D::Error> {
+    <(Whole<i32>, Whole<i32>)>::deserialize(from).map(|(x, y)| (x.0, y.0))
+}
+
 /// A whole number, if there is one.
-pub(super) fn count<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(from: D) -> Result<Option<T>, D::Error> {
+pub(in crate::read) fn count<'de, D: Deserializer<'de>, T: TryFrom<i64> + Default>(
+    from: D,
+) -> Result<Option<T>, D::Error> {
     Option::<Whole<T>>::deserialize(from).map(|number| number.map(|number| number.0))
 }
 
 /// Nothing instead of null.
-pub(super) fn given<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(from: D) -> Result<T, D::Error> {
+pub(in crate::read) fn given<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(from: D) -> Result<T, D::Error> {
     Option::<T>::deserialize(from).map(Option::unwrap_or_default)
 }
 
@@ -71,16 +86,16 @@ fn is_set<E: Error>(value: &serde_json::Value) -> Result<Option<bool>, E> {
 }
 
 /// The same, or nothing for null.
-pub(super) fn perhaps<'de, D: Deserializer<'de>>(from: D) -> Result<Option<bool>, D::Error> {
+pub(in crate::read) fn perhaps<'de, D: Deserializer<'de>>(from: D) -> Result<Option<bool>, D::Error> {
     is_set(&serde_json::Value::deserialize(from)?)
 }
 
 /// The same. Null is false.
-pub(super) fn flag<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
+pub(in crate::read) fn flag<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
     perhaps(from).map(Option::unwrap_or_default)
 }
 
 /// The same. Null is true.
-pub(super) fn shown<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
+pub(in crate::read) fn shown<'de, D: Deserializer<'de>>(from: D) -> Result<bool, D::Error> {
     perhaps(from).map(|is| is.unwrap_or(true))
 }
