@@ -52,9 +52,9 @@ up. These options come first:
   --scale N/D           multiply all lengths by this
   --weld PX             move corners of tiles' collision shapes by up to this, from 0 to 1,
                         onto their tile's border and onto neighbours' corners (default: 0.25)
-The NAME of a tile is its class, a true property, TILESET:ID, or an IntGrid value (its
-identifier, its number, or LAYER:NUMBER), in any case. A file tilesat.toml beside
-the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
+The NAME of a tile is its class, a true property, PROPERTY:VALUE, TILESET:ID, or an
+IntGrid value (its identifier, its number, or LAYER:NUMBER), in any case. A file
+tilesat.toml beside the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
 one-way, empty, flag, solid-layer, one-way-layer, ignore-layer, objects, ignore-level (lists),
 scale = \"1/2\", weld = \"0.25\".
 Objects are solid if --objects, their class, a true property, their name or their

@@ -63,6 +63,15 @@ impl Properties {
         self.0.iter().filter(|(_, value)| value.is_one()).map(|(name, _)| name.as_str())
     }
 
+    /// Each property that has a value, as options name it: `kind:wall`, `passable:false`.
+    pub fn valued(&self) -> impl Iterator<Item = String> {
+        self.0.iter().filter_map(|(name, value)| match value {
+            Value::Bool(is) => Some(format!("{name}:{is}")),
+            Value::Number(text) | Value::Text(text) => Some(format!("{name}:{text}")),
+            Value::Object(_) | Value::Lost(_) => None,
+        })
+    }
+
     /// The value of a property as text, whatever its type. Ignores case in the name.
     pub fn text(&self, name: &str) -> Option<String> {
         let found = self.0.iter().find(|(key, _)| key.eq_ignore_ascii_case(name));

@@ -105,18 +105,36 @@ fn hints(map: &Map) -> BTreeSet<String> {
                 Value::Object(_) | Value::Lost(_) => false,
             };
             if let (Value::Text(text), Some(_), false) = (value, traits::shape(name), is_false) {
+                let option = if text.is_empty() { String::new() } else { format!(", or add --solid '{name}:{text}'") };
                 hints.insert(format!(
-                    "tiles have the property '{name}' = '{text}', a text: make it a bool that is true"
+                    "tiles have the property '{name}' = '{text}', a text: make it a bool that is true{option}"
                 ));
+            } else if let (Value::Text(text), true) = (value, MEANINGS.iter().any(|known| words::same(name, known))) {
+                if traits::shape(text).is_some() {
+                    hints.insert(format!("tiles have the property '{name}' = '{text}': add --solid '{name}:{text}'"));
+                }
             }
             if is_false && ["walkable", "passable"].iter().any(|known| words::same(name, known)) {
                 hints.insert(format!(
-                    "tiles have the property '{name}', which is false: give them a true property 'solid'"
+                    "tiles have the property '{name}', which is false: give them a true property 'solid', or add --solid \
+                     '{name}:{}'",
+                    shown(value)
                 ));
             }
         }
     }
     hints
+}
+
+/// Properties whose value authors use as a class.
+const MEANINGS: [&str; 4] = ["type", "kind", "class", "collision"];
+
+/// A value of false, as options name it.
+fn shown(value: &Value) -> &str {
+    match value {
+        Value::Number(text) | Value::Text(text) => text,
+        Value::Bool(_) | Value::Object(_) | Value::Lost(_) => "false",
+    }
 }
 
 /// `'Trees' (3 tiles), ..`

@@ -5,8 +5,8 @@ use tilesat::TileShape;
 use super::words::same;
 use crate::fail::Result;
 
-/// Names of tiles are classes, true properties, values of an `IntGrid` (`NAME`, `2`, `LAYER:2`) and
-/// `TILESET:ID`.
+/// Names of tiles are classes, true properties, `PROPERTY:VALUE`, values of an `IntGrid` (`NAME`,
+/// `2`, `LAYER:2`) and `TILESET:ID`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Options {
     /// The shape of tiles of a name. The later of two for one tile counts.

@@ -71,6 +71,7 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
         }
     }
     known.push(format!("{}:{id}", set.name));
+    known.extend(properties.valued());
     let shaped = |rule, what, shape| Some(Verdict { rule, what, solid: Solid::Shape(flip.of(shape)) });
     let verdict = if let Some((name, shape)) = options.shape(&known) {
         flags.retain(|flag| options.is_flag(flag) || !super::words::same(flag, name));

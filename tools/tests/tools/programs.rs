@@ -129,6 +129,31 @@ fn truth() {
     assert!(!["false", "False", "0", ""].into_iter().any(solid));
 }
 
+/// Some games give tiles a text, or only say where bodies can walk. Options name both.
+#[test]
+fn values_of_properties_as_names() {
+    let tile = |id: u32, name: &str, rest: &str| {
+        format!(r#"<tile id="{id}"><properties><property name="{name}" {rest}/></properties></tile>"#)
+    };
+    let own = tile(0, "type", r#"value="wall""#)
+        + &tile(1, "passable", r#"type="bool" value="false""#)
+        + &tile(2, "Height", r#"type="int" value="8""#);
+    let start = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
+    let text = map(4, 1, "1,2,3,0", "").replace(start, &own);
+    refused("values.tmx", &text, "tiles have the property 'type' = 'wall': add --solid 'type:wall'");
+    refused("values.tmx", &text, "give them a true property 'solid', or add --solid 'passable:false'");
+    let solid = |options: &str| {
+        let read = level("values.tmx", &text, options);
+        (read["solid"].as_u64().unwrap(), read["one_way"].as_u64().unwrap())
+    };
+    assert_eq!(solid("--solid type:wall"), (1, 0));
+    assert_eq!(solid("--solid TYPE:Wall --solid passable:false --one-way height:8"), (2, 1));
+    assert_eq!(solid("--solid height:8=half-bottom"), (1, 0));
+    let texts = map(1, 1, "1", "").replace(start, &tile(0, "solid", r#"value="yes""#));
+    refused("texts.tmx", &texts, "make it a bool that is true, or add --solid 'solid:yes'");
+    assert_eq!(level("texts.tmx", &texts, "--solid solid:yes")["solid"], 1);
+}
+
 /// Other programs write null for an empty list, and whole numbers as decimals. Scripts write
 /// projects without definitions.
 #[test]
