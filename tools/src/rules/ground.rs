@@ -161,6 +161,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         }
     } else {
         layers.undecided(&sheets);
+        layers.forgotten(&sheets);
     }
     let classes = left_out.iter().map(|object| object.class.as_str());
     doubts.extend(map.warnings.iter().map(|(who, what)| Doubt { who: who.clone(), what: what.clone(), why: READ }));

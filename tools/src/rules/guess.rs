@@ -116,6 +116,30 @@ impl Layers<'_> {
         }
     }
 
+    /// Notes the layers whose names say that they are solid, and most of whose tiles have no
+    /// collision shape, if only such shapes make anything solid. Some authors draw them for ramps
+    /// only.
+    pub(super) fn forgotten(&mut self, sheets: &[Sheet<'_>]) {
+        if self.ledger.0.iter().any(|applied| applied.rule != Rule::B) {
+            return;
+        }
+        for sheet in sheets {
+            let name = &sheet.layer.name;
+            let (known, others): (Vec<_>, Vec<_>) = sheet
+                .used
+                .iter()
+                .partition(|(entry, _)| sheet.pieces.contains_key(entry) || sheet.flags.contains_key(entry));
+            let count = |used: &[(u32, u64)]| used.iter().map(|(_, times)| times).sum::<u64>();
+            if words::has(name, GUESS) && !sheet.tiles.derived && count(&others) > count(&known) {
+                self.note(format!(
+                    "GUESS: {} of layer '{name}' are not solid: they have no collision shape, and other tiles have; \
+                     --solid-layer '{name}' makes them full",
+                    words::several(count(&others) as usize, "tile")
+                ));
+            }
+        }
+    }
+
     /// Notes a guess by the name of a layer.
     pub(super) fn guessed(&mut self, layer: &str, option: &str) {
         self.note(format!(

@@ -154,6 +154,26 @@ fn values_of_properties_as_names() {
     assert_eq!(level("texts.tmx", &texts, "--solid solid:yes")["solid"], 1);
 }
 
+/// If authors draw collision shapes for ramps only, the ground between them is no accident.
+#[test]
+fn ground_without_shapes_beside_ramps() {
+    let ramp = r#"<tile id="1"><objectgroup><object x="0" y="0"><polygon points="16,0 16,16 0,16"/></object></objectgroup></tile>"#;
+    let start = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
+    let text = |name: &str, csv: &str| {
+        map(4, 1, csv, "").replace(start, ramp).replace(r#"name="World""#, &format!("name=\"{name}\""))
+    };
+    let says = "GUESS: 2 tiles of layer 'Platforms' are not solid";
+    let found = level("ramps.tmx", text("Platforms", "1,2,1,0"), "");
+    assert!(found["solid"] == 1 && has_note(&found, says), "{found}");
+    assert_eq!(level("ramps.tmx", text("Platforms", "1,2,1,0"), "--solid-layer Platforms")["solid"], 3);
+    // Ornaments, a layer of another name, and a layer that something else marks.
+    for (name, csv, options) in
+        [("Platforms", "1,2,2,0", ""), ("World", "1,2,1,0", ""), ("Platforms", "1,2,1,0", "--one-way t:0")]
+    {
+        assert!(!has_note(&level("others.tmx", text(name, csv), options), "are not solid"), "{name} {csv}");
+    }
+}
+
 /// Other programs write null for an empty list, and whole numbers as decimals. Scripts write
 /// projects without definitions.
 #[test]
