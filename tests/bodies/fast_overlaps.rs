@@ -101,6 +101,7 @@ fn slow_balls_sink_as_documented() {
             let deep = |&other: &_| scene.body(other).unwrap().shape.contact(&shape).map_or(Fx::ZERO, |c| c.depth());
             let (deep, y) = (others.iter().map(deep).max().unwrap(), shape.position().y);
             let off = y - stays;
+            assert!(scene.awake().is_empty(), "{stays}: it rests, fast {fast}");
             if fast {
                 assert!(deep < fx!(0.01) && off.abs() < fx!(0.02), "{stays}: {deep} at {y}");
             } else {
