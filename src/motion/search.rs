@@ -86,6 +86,15 @@ impl Around {
         Some(Held { bounds: bounds?, cells })
     }
 
+    /// The cells of [`held_of`](Self::held_of) in a grid. Copies of its bounds would take 150
+    /// bytes.
+    fn cells_of<W: World>(&self, world: &W, region: &Aabb) -> Option<Cells> {
+        match self.known_cells() {
+            Some(cells) if *region == self.region => Some(cells),
+            _ => Some(world.cells(&self.held_in(region)?)),
+        }
+    }
+
     /// The cells in all of the known region, if they are known and there are any.
     pub(super) fn known_cells(&self) -> Option<Cells> {
         if self.seen.held.is_some() { self.seen.cells } else { None }
@@ -215,24 +224,21 @@ impl<'a, B: Body> Search<'a, B> {
             let to = part(d, piece, pieces);
             let region = self.around.look(world, &bounds, from, to, pieces);
             from = to;
-            let held = self.around.held_of(&region);
-            self.meet(world, held.as_ref(), before.as_ref().map(|before: &Held| &before.bounds), d, first);
+            if W::GRID {
+                if let Some(cells) = &mut self.around.cells_of(world, &region) {
+                    self.meet_cells(world, cells, d, first);
+                }
+            } else {
+                let held = self.around.held_of(&region);
+                if let Some(held) = &held {
+                    self.meet_features(world, held, before.as_ref(), d, first);
+                }
+                before = held.map(|held| held.bounds);
+            }
             // Later pieces hold only later hits.
             if first.is_within(piece, pieces) {
                 break;
             }
-            before = held;
-        }
-    }
-
-    #[inline(never)]
-    fn meet<W: World>(&mut self, world: &W, held: Option<&Held>, before: Option<&Aabb>, d: Raw, first: &mut First) {
-        let Some(held) = held else { return };
-        if W::GRID {
-            let mut cells = held.cells.unwrap_or_else(|| world.cells(&held.bounds));
-            self.meet_cells(world, &mut cells, d, first);
-        } else {
-            self.meet_features(world, held, before, d, first);
         }
     }
 
