@@ -282,6 +282,7 @@ impl Grid {
         self.most_along(width, &self.x).wrapping_mul(self.most_along(height, &self.y))
     }
 
+    #[inline(never)]
     const fn most_along(&self, length: u32, span: &GridAxis) -> u32 {
         let (most, all) = (self.quotient(length).wrapping_add(2), span.count + 2);
         if most < all { most } else { all }

@@ -262,6 +262,13 @@ pub trait World: sealed::Sealed + Overlaps<Aabb> + Overlaps<Circle> + Touches<Aa
         self.features(region)
     }
 
+    /// The next one of [`features_near`](Self::features_near). A level of blocks links no code for
+    /// motions there.
+    #[doc(hidden)]
+    fn next_near(&self, features: &mut Self::Features<'_>) -> Option<Feature> {
+        features.next()
+    }
+
     /// At least those features that a piece of a motion could run into and the piece before could
     /// not. There may be more.
     #[doc(hidden)]

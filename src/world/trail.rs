@@ -132,6 +132,10 @@ impl<W: World> World for Traced<'_, W> {
         self.world.features_near(region, joints)
     }
 
+    fn next_near(&self, features: &mut W::Features<'_>) -> Option<Feature> {
+        self.world.next_near(features)
+    }
+
     fn features_ahead(&self, way: &MotionPiece) -> W::Features<'_> {
         self.world.features_ahead(way)
     }

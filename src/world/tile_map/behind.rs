@@ -3,11 +3,11 @@
 use super::clear::is_clear;
 use super::outline::{Form, FormKind};
 use super::shape_surface::corner;
+use super::surface::TileSource;
 use super::{ShapeSet, Store, TileMap};
 use crate::num::Raw;
 use crate::shape::Aabb;
 use crate::world::cell::{Block, Cell, Cells};
-use crate::world::level::World;
 use crate::world::tangent::Tangent;
 
 impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
@@ -25,7 +25,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 
     #[inline]
     fn is_tile_behind(&self, block: &Block, region: &Aabb, r: i32, line: &Tangent) -> bool {
-        let (square, n) = (World::corners(self, block), line.normal);
+        let (square, n) = (TileSource::corners(self, block), line.normal);
         if line.has_behind(corner(square, n.x > 0, n.y > 0)) {
             return true;
         }

@@ -43,6 +43,12 @@ impl<S: ShapeSet, T: Store> World for TileMap<'_, S, T> {
     }
 
     #[inline]
+    fn next_near(&self, features: &mut Features<'_, S, T>) -> Option<Feature> {
+        // A second copy of the surface of shapes would take 800 bytes.
+        if S::SHAPED { features.next() } else { features.next_near() }
+    }
+
+    #[inline]
     fn features_ahead(&self, way: &MotionPiece) -> Features<'_, S, T> {
         TileMap::features_ahead(self, way)
     }
@@ -289,14 +295,11 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     #[inline(never)]
     fn met_beyond(&self, region: &Aabb, r: i32) -> Range {
         let range = self.open_range(region.lo(), region.hi());
-        let (range, found) = match self.outside {
-            Outside::Empty => (self.inside(range), Range::NOWHERE),
-            // Blocks at the border represent everything beyond it.
-            Outside::Edge if !S::SHAPED => (self.solid_range(range), Range::NOWHERE),
-            Outside::Solid | Outside::Edge => {
-                let inside = self.inside(range);
-                (inside, beyond(range, inside))
-            }
+        let (range, found) = if self.has_solid_beyond() {
+            let inside = self.inside(range);
+            (inside, beyond(range, inside))
+        } else {
+            (self.solid_range(range), Range::NOWHERE)
         };
         // A region entirely beyond the map has no cell inside.
         if range.x0 > range.x1 || range.y0 > range.y1 { found } else { self.met(range, found, region, r) }
@@ -398,20 +401,29 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// where that is empty.
     #[inline(never)]
     pub(in crate::world) const fn solid_range(&self, r: Range) -> Range {
+        if self.has_solid_beyond() {
+            return r;
+        }
+        let r = self.inside(r);
+        if !matches!(self.outside, Outside::Edge) {
+            return r;
+        }
+        let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
+        Range {
+            x0: if r.x0 > last_x { last_x } else { r.x0 },
+            y0: if r.y0 > last_y { last_y } else { r.y0 },
+            x1: if r.x1 < 0 { 0 } else { r.x1 },
+            y1: if r.y1 < 0 { 0 } else { r.y1 },
+        }
+    }
+
+    /// Whether cells beyond the map can hold solid that no cell of the map represents.
+    #[inline]
+    const fn has_solid_beyond(&self) -> bool {
         match self.outside {
-            Outside::Solid => r,
-            Outside::Edge if S::SHAPED => r,
-            Outside::Empty => self.inside(r),
-            Outside::Edge => {
-                let (last_x, last_y) = (self.grid.x.count as i32 - 1, self.grid.y.count as i32 - 1);
-                let r = self.inside(r);
-                Range {
-                    x0: if r.x0 > last_x { last_x } else { r.x0 },
-                    y0: if r.y0 > last_y { last_y } else { r.y0 },
-                    x1: if r.x1 < 0 { 0 } else { r.x1 },
-                    y1: if r.y1 < 0 { 0 } else { r.y1 },
-                }
-            }
+            Outside::Empty => false,
+            Outside::Solid => true,
+            Outside::Edge => S::SHAPED,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How tiles give their surface: the queries to a cell, and the answers of blocks, which are whole
 //! sides of cells and their corners.
 
-use crate::num::{Axis, DOMAIN, Raw};
+use crate::num::{Axis, Raw};
 use crate::shape::Aabb;
 use crate::world::cell::{Block, Cell};
 use crate::world::level::{Feature, Geometry, MotionPiece};
@@ -142,8 +142,11 @@ impl CellSurface for BlockSurface {
             }
             self.all = surface(map, x, y);
             self.left = self.all & asked;
-        } else {
-            self.load_one_way(map, kind, (x, y), look);
+        } else if let Some(side) = self.load_one_way(map, kind, (x, y)) {
+            // If the region is beyond a repeated border, the line can be on either side of it.
+            let ((lo, hi), region) = (self.solid, look.region);
+            let met = lo.x <= region.1.x && hi.x >= region.0.x && lo.y <= region.1.y && hi.y >= region.0.y;
+            self.left = ((met && look.opposes(direction(side))) as PieceBits) << side;
         }
         self.flags = kind.flags;
         self.cell = Cell::of(x, y);
@@ -164,19 +167,19 @@ impl BlockSurface {
     /// The face of a cell that is not full, if it has one that nothing covers.
     pub(super) fn one_way<M: TileSource>(map: &M, x: i32, y: i32) -> Option<Feature> {
         let (mut surface, kind) = (Self { cell: Cell::of(x, y), ..Self::NONE }, map.kind_at(x, y));
-        let (lo, hi) = (Raw { x: 1 - DOMAIN, y: 1 - DOMAIN }, Raw { x: DOMAIN - 1, y: DOMAIN - 1 });
-        surface.load_one_way(map, kind, (x, y), &CellQuery::all(&Aabb::from_raw_unchecked(lo, hi)));
+        let side = surface.load_one_way(map, kind, (x, y))?;
         surface.flags = kind.flags;
-        (surface.left != 0).then(|| surface.feature(kind.one_way_side().unwrap_or(0).into()))
+        Some(surface.feature(side.into()))
     }
 
-    /// A cell with one face; not there before a full one. Out of line: a level has few.
+    /// A cell with one face; not there before a full one. Returns which. Out of line: a level has
+    /// few.
     #[inline(never)]
-    fn load_one_way<M: TileSource>(&mut self, map: &M, kind: TileKind, (x, y): (i32, i32), look: &CellQuery) {
-        let Some(side) = kind.one_way_side() else { return };
+    fn load_one_way<M: TileSource>(&mut self, map: &M, kind: TileKind, (x, y): (i32, i32)) -> Option<u8> {
+        let side = kind.one_way_side()?;
         let (dx, dy) = across(side);
         if map.full(x.wrapping_add(dx), y.wrapping_add(dy)) {
-            return;
+            return None;
         }
         // The next side is turned by a right angle.
         let end = !goes_on(map, x.wrapping_sub(dy), y.wrapping_add(dx), side) as PieceBits;
@@ -190,10 +193,7 @@ impl BlockSurface {
         } else {
             (Raw { x: a.x, y: band.0.y }, Raw { x: a.x, y: band.1.y })
         };
-        // If the region is beyond a repeated border, the line can be on either side of it.
-        let ((lo, hi), region) = (self.solid, look.region);
-        let met = lo.x <= region.1.x && hi.x >= region.0.x && lo.y <= region.1.y && hi.y >= region.0.y;
-        self.left = ((met && look.opposes(direction(side))) as PieceBits) << side;
+        Some(side)
     }
 
     /// The requested indices, if they exist.
