@@ -276,8 +276,8 @@ impl Hits {
     /// cut is therefore reported once.
     pub(super) fn already_lists(&self, axis: Axis, feature: &Feature) -> bool {
         let is = |hit: &Hit| (hit.cell, hit.index, hit.source) == (feature.cell, feature.index, feature.source);
-        let mut all = self.early.iter().chain(&self.late).filter_map(Option::as_ref);
-        all.any(|hit| hit.axis == axis || is(hit))
+        // Not by a chain of both halves, which takes 60 bytes more.
+        [&self.early, &self.late].into_iter().any(|half| half.iter().flatten().any(|hit| hit.axis == axis || is(hit)))
     }
 
     /// The last hit that was kept.

@@ -56,15 +56,15 @@ pub(super) fn sweep_face((lo, hi): (Raw, Raw), r: i32, d: Raw, face: &Face) -> O
     spans.then_some(Entry { num: gap as u32, den: into as u32, normal, at_end, step: None })
 }
 
-/// The sign of `reach + along * gap / into`, for `0 <= gap < into`: how far a body is over a face's
-/// end when it meets the face's line.
+/// A number with the sign of `reach + along * gap / into`, for `0 <= gap < into`: how far a body is
+/// over a face's end when it meets the face's line.
 ///
 /// If the sign is the same at both ends of the motion, that is the answer, without a product.
 /// Otherwise differences are below 2^31 and speeds below 2^30, so the products are below 2^61.
 pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
     let end = reach.wrapping_add(along);
-    if gap == 0 || reach.signum() == end.signum() {
-        return reach.signum();
+    if gap == 0 || ((reach ^ end) >= 0 && (reach == 0) == (end == 0)) {
+        return reach;
     }
     Raw { x: reach, y: along }.dot(Raw { x: into, y: gap }).signum() as i32
 }
