@@ -203,6 +203,13 @@ pub(super) const fn is_by_lines<W: World, B: Body>() -> bool {
     W::GRID && W::BLOCKS && !B::MEETS_CORNERS
 }
 
+/// Whether hits may have a [step](Entry::step), and touched planes may be
+/// [convex](super::contact::Bend::Convex). If not, as for a box in a level without arcs, the code
+/// for them is not linked: 2 KB.
+pub(super) const fn may_be_round<W: World, B: Body>() -> bool {
+    B::MEETS_CORNERS || W::ARCS || W::ROUND
+}
+
 pub(super) mod kernel {
     //! The part of [`Body`](super::Body) that only this crate calls.
 

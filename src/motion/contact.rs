@@ -1,7 +1,7 @@
 //! The surfaces that a body touches: the features within the rounding distance of its position,
 //! the direction in which each of them faces there, and whether the body touched it before.
 
-use super::body::{Body, Entry};
+use super::body::{Body, Entry, may_be_round};
 use super::plane::{NEAR, Pipe, across, into, tangential};
 use super::search::hull;
 pub(super) use super::touched_plane::{Bend, Plane};
@@ -211,7 +211,7 @@ pub(super) fn came<W: World, B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, 
         return Came::Lay;
     }
     let mut came = Came::Flew;
-    if hit.step.is_some() {
+    if may_be_round::<W, B>() && hit.step.is_some() {
         touched::<W, B>(body, feature, &mut |plane| came = came.min(came_to(&plane, u, made)));
     }
     came

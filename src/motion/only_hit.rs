@@ -1,7 +1,7 @@
 //! Motions that meet one surface and then nothing, as most that meet anything. The result is that
 //! of [`follow`](Mover::follow), which takes two rounds and more work.
 
-use super::body::{Body, Entry, is_by_lines};
+use super::body::{Body, Entry, is_by_lines, may_be_round};
 use super::mover::Mover;
 use super::plane::{FAR, NEAR, into, may_be_askew, project, way};
 use super::response::{Law, Response, Smooth};
@@ -162,7 +162,7 @@ fn is_before_face<W: World, B: Body>(
 fn tangent_of<W: World, B: Body>(body: &B, n: Axis, feature: &Feature) -> Option<Tangent> {
     let cell = feature.cell;
     match feature.geometry {
-        Geometry::Vertex { p, e_in, e_out } => {
+        Geometry::Vertex { p, e_in, e_out } if may_be_round::<W, B>() => {
             // Both edges are behind the line, even if the normal is rounded.
             (W::BLOCKS || (e_in.dot(n) >= 0 && e_out.dot(n) <= 0)).then(|| Tangent::through(Raw::of(p), n, cell))
         }
@@ -176,7 +176,7 @@ fn tangent_of<W: World, B: Body>(body: &B, n: Axis, feature: &Feature) -> Option
             let over = |way: Raw| along(dir, way) > i64::from(4 * FAR);
             (over(c.sub(a)) && over(end.sub(c))).then(|| Tangent::through(a, n, cell))
         }
-        Geometry::Face { .. } | Geometry::Arc { .. } => None,
+        _ => None,
     }
 }
 

@@ -10,7 +10,7 @@
 //! 4. On the same surface: solid before one-way, then the smaller level, row, column and index. The
 //!    flags of both count.
 
-use super::body::{Body, Entry};
+use super::body::{Body, Entry, may_be_round};
 use crate::num::{Raw, add128, less128, mul_div, mul64, sqr64, umul};
 use crate::world::{Feature, Geometry, World};
 
@@ -67,8 +67,8 @@ impl First {
 
     #[inline(never)]
     pub(super) fn add<B: Body, W: World>(&mut self, entry: &Entry, feature: &Feature, d: Raw) {
-        let all_flat = W::BLOCKS && !B::MEETS_CORNERS;
-        let slot = if all_flat || entry.step.is_none() { &mut self.flat } else { &mut self.round };
+        debug_assert!(may_be_round::<W, B>() || entry.step.is_none(), "a round hit without its code");
+        let slot = if !may_be_round::<W, B>() || entry.step.is_none() { &mut self.flat } else { &mut self.round };
         // A corner is of the cell of one of its edges. A body whose own corner meets it exactly,
         // and whose inside does not come to that cell, meets the other edge alone: it goes first.
         let sharp = B::ANGULAR && entry.step.is_none();
@@ -105,12 +105,12 @@ impl First {
 
     /// The first of all hits; of the same moment, the face.
     pub(super) fn hit<B: Body, W: World>(&self, body: &B, d: Raw) -> Option<(&Entry, &Feature)> {
-        if (W::BLOCKS && !B::MEETS_CORNERS) || self.round.entry.is_none() {
+        if !may_be_round::<W, B>() || self.round.entry.is_none() {
             return self.flat.hit();
         }
         let round = self.round.hit();
         match (self.flat.hit(), round) {
-            (Some(flat), Some(after)) if !is_earlier(body, d, after, flat.0) => Some(flat),
+            (Some(flat), Some(after)) if !is_earlier::<B, W>(body, d, after, flat.0) => Some(flat),
             _ => round,
         }
     }
@@ -121,7 +121,8 @@ impl First {
 /// If the bound is early by less than a raw unit of way, the position at the moment of the face
 /// decides. The vertex or arc is earlier if the body is then inside of the disc that it enters, or
 /// already leaving it, or outside of the disc that it leaves.
-fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), flat: &Entry) -> bool {
+#[inline(never)]
+fn is_earlier<B: Body, W: World>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), flat: &Entry) -> bool {
     if umul(round.num, flat.den) >= umul(flat.num, round.den) {
         return false;
     }
@@ -136,14 +137,14 @@ fn is_earlier<B: Body>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), f
             let (c, r) = body.met_by(p, round);
             is_past(c.sub(p), r, false, d, flat)
         }
-        Geometry::Arc { centre, radius, quadrant, convex } => {
+        Geometry::Arc { centre, radius, quadrant, convex } if W::ARCS => {
             let way = if convex { quadrant.reversed() } else { quadrant };
             let centre = Raw::of(centre);
             let (at, r) = if B::ANGULAR { body.met_by(centre, round) } else { body.toward(way) };
             let r = if convex { radius.wrapping_add(r) } else { radius.wrapping_sub(r) };
             is_past(at.sub(centre), r, !convex, d, flat)
         }
-        Geometry::Face { .. } => true,
+        Geometry::Face { .. } | Geometry::Arc { .. } => true,
     }
 }
 

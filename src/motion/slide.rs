@@ -1,7 +1,7 @@
 //! A mover's response to a hit: it finds the position and the ways from there, and takes one of
 //! them.
 
-use super::body::{Body, Entry};
+use super::body::{Body, Entry, may_be_round};
 use super::contact::{Bend, Came, Plane, came, touched};
 use super::order::First;
 use super::plane::{NEAR, across, into, long, may_be_askew, project, reflect, way};
@@ -132,14 +132,14 @@ impl<S: Law> Mover<S> {
             of_hit = Some(Plane { normal: entry.normal, bend });
         }
         let keeps = first || hit.is_none();
-        let mut kept = keeps || run.may_keep(made);
-        run.end_hop(hit.filter(|_| kept).map(|(entry, _)| entry.normal));
+        let mut kept = keeps || run.may_keep::<W>(made);
+        run.end_hop::<W>(hit.filter(|_| kept).map(|(entry, _)| entry.normal));
         let alone = loop {
             if !kept {
                 run.before = run.v;
             }
             let alone = ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
-            kept = kept && (keeps || run.along.is_some_and(|plane| ways.keep::<B>(&plane)));
+            kept = kept && (keeps || run.along.as_ref().is_some_and(|plane| ways.keep::<B>(plane)));
             if kept || run.before == run.v {
                 break alone;
             }
@@ -224,12 +224,14 @@ impl<S: Law> Mover<S> {
             // rounded. For a body that is still over a face that ends at the corner, the corner has
             // no side.
             let mut normal = entry.normal;
-            touched::<W, B>(&run.moved.body, feature, &mut |plane| {
-                let (n, m) = (plane.normal, entry.normal);
-                if plane.bend == Bend::Convex && n.x.signum() == m.x.signum() && n.y.signum() == m.y.signum() {
-                    normal = plane.normal;
-                }
-            });
+            if may_be_round::<W, B>() {
+                touched::<W, B>(&run.moved.body, feature, &mut |plane| {
+                    let (n, m) = (plane.normal, entry.normal);
+                    if plane.bend == Bend::Convex && n.x.signum() == m.x.signum() && n.y.signum() == m.y.signum() {
+                        normal = plane.normal;
+                    }
+                });
+            }
             self.meet(run, 0, normal, feature);
             return;
         }
@@ -249,11 +251,17 @@ fn is_plain<B: Body>(run: &Run<'_, B>, entry: &Entry) -> bool {
         && (run.v == run.before || run.along.is_some_and(|p| straight(p.normal) && p.bend == Bend::Flat))
 }
 
+/// The sign of [`across`]. One copy of a sign of 64 bits.
+#[inline(never)]
+fn turn_of(v: Raw, n: Axis) -> i32 {
+    across(v, n).signum() as i32
+}
+
 /// Whether two surfaces hold a velocity together: it is between the reverses of their normals. Its
 /// projection on each of them then leads into the other.
 fn hold(u: Raw, n: Axis, m: Axis) -> bool {
-    let turn = across(Raw { x: m.x, y: m.y }, n).signum();
-    turn != 0 && across(u, m).signum() == turn && across(u, n).signum() == turn.wrapping_neg()
+    let turn = turn_of(Raw { x: m.x, y: m.y }, n);
+    turn != 0 && turn_of(u, m) == turn && turn_of(u, n) == turn.wrapping_neg()
 }
 
 impl<B: Body> Run<'_, B> {
@@ -261,7 +269,10 @@ impl<B: Body> Run<'_, B> {
     /// surface from which it hopped. If both together hold the velocity of the call, the body meets
     /// both with it, as a body does that lay on the first. Otherwise each call would throw it up
     /// from the second, and gravity would pull it back: it would hop on the spot for ever.
-    fn end_hop(&mut self, normal: Option<Axis>) {
+    fn end_hop<W: World>(&mut self, normal: Option<Axis>) {
+        if !may_be_round::<W, B>() {
+            return;
+        }
         let hopped = self.hopped.take().zip(self.along.filter(|plane| plane.bend == Bend::Convex));
         let Some(((u, plane), normal)) = hopped.zip(normal) else { return };
         if hold(u, plane.normal, normal) {
@@ -272,10 +283,10 @@ impl<B: Body> Run<'_, B> {
     /// Whether the body may still touch the surface that it has just run along. It touches a
     /// tangent while that turns by less than a quarter of its length. For faces the
     /// [ways](Ways::keep) decide.
-    fn may_keep(&self, made: Raw) -> bool {
+    fn may_keep<W: World>(&self, made: Raw) -> bool {
         self.along.is_some_and(|plane| match plane.bend {
-            Bend::Convex => made.len2() << 4 <= plane.normal.length_squared(),
-            Bend::Flat | Bend::End | Bend::Concave { .. } => true,
+            Bend::Convex if may_be_round::<W, B>() => made.len2() << 4 <= plane.normal.length_squared(),
+            _ => true,
         })
     }
 
