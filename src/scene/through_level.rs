@@ -327,8 +327,8 @@ impl<V> Trip<'_, V> {
         if matches!(under, NOBODY | FLIES) {
             slot.tally.under = if flies { FLIES } else { NOBODY };
         }
-        // A ball that two others hold rises by less than gravity at one, falls back to the other, and
-        // so on for ever.
+        // A ball that two others hold rises at one by less than gravity, falls back to the other,
+        // and so on for ever.
         let rises = self.gravity.dot(slot.body.velocity) < 0 && size(slot.body.velocity) > size(self.gravity);
         if !is_still || (rises && !slot.body.floats) {
             (slot.quiet, slot.tally.drift) = (0, Drift::NONE);
