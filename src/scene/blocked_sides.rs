@@ -1,8 +1,8 @@
 //! The blocked sides of a body: those to which it was last pushed without effect, against the level
 //! or against others.
 //!
-//! Two bodies that overlap part by their masses. If something holds one of them, its share is lost:
-//! a heavy body would sink into a light one at a wall, and pass through it. So a body remembers the
+//! Two bodies that overlap part by their masses. If something holds one of them, its share is lost.
+//! A heavy body would sink into a light one at a wall, and pass through it. So a body remembers the
 //! sides to which it is blocked. At a blocked side the other body makes the whole correction.
 
 use crate::num::Vec2;

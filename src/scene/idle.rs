@@ -1,8 +1,8 @@
 //! Bodies of a scene that remembers, and repeat their last step.
 //!
-//! If a step changes neither a body nor any body that it touches, then the next step changes
-//! nothing either, because it starts from the same state. So these bodies are not moved. Their
-//! events are those of the last step.
+//! If a step changes neither a body nor any body that it touches, the next step changes nothing
+//! either: it starts from the same state. So these bodies are not moved. Their events are those of
+//! the last step.
 //!
 //! This holds as long as no other body comes near. A body that is not idle moves no farther in a
 //! step than [`stop_idling_in_reach`](Scene::stop_idling_in_reach) assumes. All bodies within that
@@ -75,10 +75,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Before a step: ends the idleness of bodies that another one may reach.
     ///
     /// A hit changes a velocity by at most twice the difference of the two, and a push is at most
-    /// an overlap. In a pile one body may push the next. So in a step none moves farther than the
-    /// sum of four times the velocity and of the overlap, over all bodies that it may meet,
-    /// directly or not. These are a company: two join if they are no farther apart than both may
-    /// move.
+    /// an overlap. In a pile one body may push the next. Take the sum of four times the velocity
+    /// and of the overlap, over all bodies that a body may meet, directly or not. It moves no
+    /// farther in a step. These bodies are a company: two join if they are no farther apart than
+    /// both may move.
     #[inline(never)]
     pub(super) fn stop_idling_in_reach(&mut self, gravity: Vec2) {
         let Self { near, slots, awake, count, memory, .. } = self;

@@ -128,8 +128,8 @@ impl<S: BodyShape> Slot<S> {
     }
 }
 
-/// The other bodies that may be on a body's path and that count: slow ones at their positions in
-/// the broad phase, and those that are swept.
+/// The other bodies that may be on a body's path: slow ones at their positions in the broad phase,
+/// and those that are swept.
 pub(super) fn each_near<B: BroadPhase, S: BodyShape>(
     near: &B,
     slots: &[Slot<S>],

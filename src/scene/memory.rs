@@ -2,7 +2,7 @@
 //!
 //! The first N places are for the N slots: how the body there lies. The further places are for
 //! short motions of any body. A body that others push to and fro on one spot repeats the same few
-//! motions, often for ever: a ball on a slope leans on a box, which pushes it away, and it rolls
+//! motions, often for ever. A ball on a slope leans on a box, which pushes it away, and it rolls
 //! back. Two motions are equal if the body, its position and the causes are equal.
 
 use super::body::Slot;
@@ -33,10 +33,10 @@ pub(super) struct RememberedWay {
 /// The last motion of a body through the level.
 ///
 /// If it led nowhere, its next motion with the same causes does the same, as long as neither the
-/// body nor the level changes. A change of the body by a step goes through
-/// [`Trip::make`](super::through_level::Trip), one by the game through
-/// [`Scene::alter`](super::Scene::alter), and one of the level through
-/// [`Scene::wake_region`](super::Scene::wake_region); each clears this.
+/// body nor the level changes. Each change clears this: a step changes a body in
+/// [`Trip::make`](super::through_level::Trip), and the game in
+/// [`Scene::alter`](super::Scene::alter). The game announces a change of the level by
+/// [`Scene::wake_region`](super::Scene::wake_region).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rest {
     pub(super) made: Made,

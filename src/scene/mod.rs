@@ -158,8 +158,8 @@
 //! - **A fast body on a fixed one** that the game [places](Scene::place) may be behind by what
 //!   gravity adds in a step.
 //! - **A body bounces for ever** if its restitution is above one half and its
-//!   [`Surface::resting_below`](crate::Surface::resting_below) is less than the gravity, divided by
-//!   one minus the restitution.
+//!   [`Surface::resting_below`](crate::Surface::resting_below) is too low. It is if it is less than
+//!   the gravity, divided by one minus the restitution.
 //!
 //! # Cost
 //!

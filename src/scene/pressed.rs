@@ -1,7 +1,7 @@
 //! The velocity that a body loses as others push it back.
 //!
 //! Gravity adds velocity in each step, and a push takes back the displacement. If a push left the
-//! velocity as it is, a body among others would become faster with every step, and a heap of balls
+//! velocity as it is, a body among others would become faster with every step. A heap of balls
 //! would never rest. So a body that cannot yield loses velocity, too: as much as the push leads
 //! against it. No component grows by that or changes its sign, so neither does the energy grow.
 //!

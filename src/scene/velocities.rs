@@ -149,8 +149,8 @@ impl Meeting {
 ///
 /// False if the momentum of the two rises from the ground. A light body that bounces under a heavy
 /// one does not: if it yielded each time, the two would never rest. With friction, also false if it
-/// moves sideways on the carrier by more than gravity adds in a step, because it then drags the one
-/// on top along.
+/// moves sideways on the carrier by more than gravity adds in a step. It then drags the one on top
+/// along.
 fn carries<S: BodyShape>(slots: &[Slot<S>], (lower, upper): (&Slot<S>, &Slot<S>), gravity: Vec2, slick: bool) -> bool {
     if lower.support == ALOFT {
         return false;

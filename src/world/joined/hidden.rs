@@ -1,10 +1,11 @@
 //! The surface that a level still shows where another level covers it: the rules of
 //! [`Joined`](crate::world::Joined).
 //!
-//! A body with area that is outside of both solids and touches both at a point `p` has a tangent
-//! there: the half-plane `n . x > 0` in front of it holds neither solid. So `n` is in the cone of
-//! normals of each level at `p`. That is the closed cone between a convex corner's two edge
-//! normals, one ray at a flat point, and empty at anything more solid. All rules follow:
+//! Take a body with area that is outside of both solids and touches both at a point `p`. It has a
+//! tangent there: the half-plane `n . x > 0` in front of it holds neither solid. So `n` is in the
+//! cone of normals of each level at `p`. At a convex corner that is the closed cone between the
+//! normals of its two edges. It is one ray at a flat point, and empty at anything more solid. All
+//! rules follow:
 //!
 //! - A vertex in the other solid is touched only within both cones. Where the other level has no
 //!   corner there, that is one ray at most, along a face of it. Where it has one, the first level
@@ -48,8 +49,8 @@ impl PartPath {
     }
 }
 
-/// The queries of the rules to the other level. They go through a pointer, because each level is
-/// the other of the other one: a copy of the rules for each took 1.7 KB of flash.
+/// The queries of the rules to the other level. They go through a pointer, because each of the two
+/// levels asks the other one. A copy of the rules for each took 1.7 KB of flash.
 pub trait Beside {
     fn touches_at(&self, p: Raw) -> bool;
     fn overlaps_at(&self, p: Raw) -> bool;
@@ -106,8 +107,8 @@ pub(super) fn point(p: Raw) -> Aabb {
     Aabb::from_raw_unchecked(p, p)
 }
 
-/// The part of a corner's cone that is in the cones of the other level's corners at the same point;
-/// `None` if it has no inside, or does not exist: the other level is flat or concave there.
+/// The part of a corner's cone that is in the cones of the other level's corners at the same point.
+/// `None` if it has no inside, or if the other level has no such cone: it is flat or concave there.
 fn common_cone(cone: (Axis, Axis), p: Raw, other: &dyn Beside) -> Option<(Axis, Axis)> {
     let (mut cone, mut corners) = (Some(cone), false);
     other.each(&point(p), &mut |f| {
@@ -123,8 +124,8 @@ fn common_cone(cone: (Axis, Axis), p: Raw, other: &dyn Beside) -> Option<(Axis, 
     cone.filter(|_| corners)
 }
 
-/// The part of a cone (of up to a half turn) with `n . h >= 0`, as the edges whose normals bound
-/// it; `None` if that has no inside.
+/// The part of a cone with `n . h >= 0`, as the edges whose normals bound it. `None` if that has no
+/// inside. The cone spans at most half a turn.
 fn clipped((e_in, e_out): (Axis, Axis), h: Axis) -> Option<(Axis, Axis)> {
     let (start, end) = (normal(e_in).dot(h), normal(e_out).dot(h));
     if start >= 0 && end >= 0 {
@@ -231,9 +232,9 @@ enum Front {
 
 /// Whether the points just in front of a face are in the other solid, from end to end.
 ///
-/// If nothing of the other surface meets the face's inside from the front, all its points are in
-/// the other solid or all outside: one point decides. That is a point of the face inside the solid,
-/// or a face of the other that runs against this one.
+/// If nothing of the other surface meets the face's inside from the front, its points are all in
+/// the other solid or all outside. So one point decides: a point of the face inside the solid, or a
+/// face of the other that runs against this one.
 fn covered<J: World>(edge: &FaceSegment, other: &dyn Beside) -> bool {
     let points = [edge.a, edge.b, edge.middle];
     // For most faces the first end, far away, already decides.
@@ -259,11 +260,11 @@ fn covered<J: World>(edge: &FaceSegment, other: &dyn Beside) -> bool {
     known && !bare
 }
 
-/// Whether the points just in front of a face's end `p` are in the other solid; `along` leads from
-/// there along the face, `n` is its normal. `None` if an arc ends there too.
+/// Whether the points just in front of a face's end `p` are in the other solid. `along` leads from
+/// there along the face, and `n` is its normal. `None` if an arc ends there, too.
 ///
-/// From the direction `along`, tilted to the front by an infinitesimal, the next part of the
-/// surface to the left has the place on its right.
+/// The place is in the direction `along`, tilted to the front by an infinitesimal. It is on the
+/// right of the part of the surface that comes next to the left.
 pub(super) fn front_of_end<J: World>(p: Raw, along: Axis, n: Axis, other: &dyn Beside) -> Option<bool> {
     if !other.touches_at(p) {
         return Some(false);

@@ -8,14 +8,14 @@ use crate::world::tile_map::kind::TileShape;
 /// Farther from a tile's corner than this there is no answer: all sums below fit a word.
 const FAR: i32 = 1 << 27;
 
-/// Whether no body in a region has a point in the inside of a tile's solid: none that fills its
-/// bounds, and no disc of radius `r`.
+/// Whether no body in a region has a point in the inside of a tile's solid. A body is a disc of
+/// radius `r`, or fills its bounds.
 ///
 /// It may be false although no body has such a point. It is true only if none has. The inside of
 /// the region meets that of the tile's square.
 ///
 /// In the frame of the solid corner (see [`Form`](super::outline::Form)) `u` and `v` are the
-/// region's least coordinates: bounds with their nearest corner there are nearer to the solid than
+/// region's least coordinates. Bounds with their nearest corner there are nearer to the solid than
 /// all others in the region. A disc leaves that corner of its bounds free, and is farther from a
 /// line than the corner by r (p + q - |(p, q)|).
 #[inline(never)]

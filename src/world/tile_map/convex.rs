@@ -1,5 +1,5 @@
-//! Convex shapes against the solid of a map: tile by tile, each a box, a polygon of up to four
-//! corners, or a quarter of a disc or what it leaves of the square.
+//! Convex shapes against the solid of a map, tile by tile. A tile is a box, a polygon of up to four
+//! corners, a quarter of a disc, or the rest of the square around one.
 
 use super::outline::{Form, FormKind};
 use super::overlap::TileSolid;

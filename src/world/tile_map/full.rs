@@ -6,7 +6,7 @@ use crate::world::cell::{Cells, Range};
 
 impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// A side of no length on a cell's border is inside the solid only where the cells on both
-    /// sides are full: then the open range is reversed, and starts at the first of the two.
+    /// sides are full. The open range is reversed then, and starts at the first of the two.
     #[inline(never)]
     pub(super) const fn thin_overlaps_blocks(&self, lo: Raw, hi: Raw) -> bool {
         let mut range = self.open_range(lo, hi);

@@ -4,8 +4,8 @@
 use crate::num::Axis;
 use crate::world::tile_map::kind::{TileKind, TileShape};
 
-/// The solid of a tile in its own frame: `u` and `v` are the distances from the corner at which it
-/// is solid, along x and along y, both 0 to a side S of the cell; `h = S / 2`.
+/// The solid of a tile in its own frame. `u` and `v` are the distances along x and y from the
+/// corner at which it is solid. Both go from 0 to a side S of the cell; `h = S / 2`.
 ///
 /// ```text
 ///   corner +----> u      Line: p u + q v <= k h     p, q, k in 0..=4
@@ -77,9 +77,9 @@ impl TileShape {
 /// The border of a tile's solid, on a lattice of half cells.
 ///
 /// Eight nodes lie around a cell, counted with its sides. Around any node there are sixteen
-/// directions, those of all lines that tiles have, and sixteen sectors between them: sector d from
-/// direction d to d + 1. Each direction has an opposite one, and eight sectors in a row are exactly
-/// half a turn. Whether a corner is convex is a matter of counting.
+/// directions, those of all lines that tiles have. Between them are sixteen sectors: sector d goes
+/// from direction d to d + 1. Each direction has an opposite one, and eight sectors in a row are
+/// exactly half a turn. Whether a corner is convex is a matter of counting.
 ///
 /// ```text
 ///   0---1---2  --> x             12
@@ -103,7 +103,7 @@ pub(in crate::world) struct Outline {
     /// The direction in which it ends, and its [`InnerKind`] in the high nibble.
     last: u8,
     /// Nibble k: which of the sectors 4k to 4k + 3 are solid at corner k (node 2k). Nibble 4 + k:
-    /// bit 0 where an arc ends there and leaves the line of side k, bit 1 where it leaves that of
+    /// whether an arc ends there. Bit 0 if it leaves the line of side k, bit 1 if it leaves that of
     /// the side before. Solid across that line is not joined to this tile.
     corners: u32,
     /// Byte k: which of the sectors 4k to 4k + 7 are solid at the middle of side k (node 2k + 1).

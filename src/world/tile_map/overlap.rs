@@ -93,9 +93,9 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Whether a box without area meets the inside of the union, among all shapes.
     ///
     /// A point is inside of the union where the forms of all closed cells that hold it do so
-    /// strictly: then each covers its part of the surroundings, and where one does not, a part of
+    /// strictly. Then each form covers its part of the surroundings. Where one does not, a part of
     /// its cell near the point is in no solid. What a form covers of a side of its cell ends at the
-    /// side's ends or its middle: of a half side that is cut off where a segment ends, two cells
+    /// side's ends or its middle. So of a half side that is cut off where a segment ends, two cells
     /// cover a common part if each covers any.
     #[inline(never)]
     fn thin_overlaps(&self, lo: Raw, hi: Raw) -> bool {
@@ -194,7 +194,7 @@ impl<S: ShapeSet, T: Store> Touches<Circle> for TileMap<'_, S, T> {
 
 /// The solid of a cell that is not empty, where it lies.
 ///
-/// Cells beyond the map reach to the end of the domain: they are whole or halved along the map's
+/// Cells beyond the map reach to the end of the domain. They are whole, or halved along the map's
 /// border, so nothing else here sees a cell that is not square. Sides are at most 2^24, coordinates
 /// relative to a square cell in reach of a body below 2^29 + 2^24.
 #[derive(Clone, Copy)]
@@ -230,8 +230,8 @@ impl TileSolid {
         }
     }
 
-    /// Whether a box has a point in the solid, for a box that has one in the closed cell: open sets
-    /// and a box with area in the open cell, or closed ones.
+    /// Whether a box that has a point in the closed cell has one in the solid. The sets are closed,
+    /// or they are open and a part of the box with area is in the open cell.
     ///
     /// The form is monotone: if any point of the common box is solid, the one nearest to the corner
     /// is. Where that one holds strictly, so do the points of the common box near it, and these
@@ -256,9 +256,8 @@ impl TileSolid {
 
     /// Whether a circle overlaps the solid (its radius is not 0 then), or touches it.
     ///
-    /// Each test is the comparison of a radius with the distance to the solid: an open disc meets
-    /// the inside of a solid, whose closure the solid is, where the centre is nearer than the
-    /// radius.
+    /// Each test compares a radius with the distance to the solid. A solid is the closure of its
+    /// inside. So an open disc meets the inside where its centre is nearer than the radius.
     pub(in crate::world) const fn meets_circle<S: ShapeSet, const CLOSED: bool>(&self, c: Raw, r: i32) -> bool {
         let (m, side) = (self.near(c, c), self.side());
         // The box around the solid. It is the whole solid unless the code below adds to it.
@@ -357,9 +356,11 @@ const fn triangle(m: Raw, r: i32, p: u8, q: u8, side: i32, closed: bool) -> bool
 /// A circle against the cell without the open quarter disc around its far corner; none if it is
 /// as one against the whole cell.
 ///
-/// With `n` the centre relative to that corner, toward the solid: beyond the cell the nearest point
-/// of it is on one of the two whole sides; in the cell the arc is nearest, `side - |n|` away;
-/// before a side of the quarter disc an end of the arc is, the cusp on the side that `n` leans to.
+/// `n` is the centre relative to that corner, toward the solid. The nearest point of the solid is:
+///
+/// - beyond the cell, on one of the two whole sides;
+/// - in the cell, on the arc, `side - |n|` away;
+/// - before a side of the quarter disc, an end of the arc: the cusp on the side that `n` leans to.
 const fn concave(m: Raw, r: i32, side: i32, closed: bool) -> Option<bool> {
     let n = Raw { x: side, y: side }.sub(m);
     if n.x > 0 && n.y > 0 {

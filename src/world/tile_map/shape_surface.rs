@@ -225,16 +225,16 @@ impl Tile {
         map.kind_at(x.wrapping_add(dx), y.wrapping_add(dy)).shape
     }
 
-    /// Whether no vertex is at the start of a face: from its direction on, solid covers eight
-    /// sectors, which are half a turn, without a gap.
+    /// Whether no vertex is at the start of a face. Then, from its direction on, solid covers eight
+    /// sectors without a gap: half a turn.
     fn joined_at_start<const ROUND: bool, M: TileSource>(&self, map: &M, piece: Piece) -> bool {
         let (solid, gaps) = self.sectors::<ROUND, _>(map, piece.start);
         let first = 1u16.rotate_left(u32::from(piece.dir));
         (solid & (!gaps | first)).rotate_right(u32::from(piece.dir)) as u8 == u8::MAX
     }
 
-    /// The direction in which the vertex at the end of a piece is left; none if it is joined, as
-    /// above from the opposite direction backward.
+    /// The direction in which the surface leaves the vertex at the end of a piece. None if the
+    /// piece is joined there: as above, from the opposite direction backward.
     ///
     /// A gap in the direction of a face itself does not matter: its solid is on this side. At a
     /// concave arc (`cusp`) there is nothing but the line itself, and it does matter.

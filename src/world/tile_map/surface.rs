@@ -111,8 +111,8 @@ pub struct BlockSurface {
     left: PieceBits,
 }
 
-/// Bits 0..=3: faces by index; 4..=7: vertices; 8: a one-way tile, of whose face the bits of the
-/// vertices at its ends mean that it is not joined there.
+/// Bits 0..=3: faces by index; 4..=7: vertices; 8: a one-way tile. There the bits of the vertices
+/// at the ends of its face mean that the face is not joined.
 type PieceBits = u16;
 
 const ONE_WAY: PieceBits = 1 << 8;

@@ -1,5 +1,5 @@
-//! The cells that a body passes on a long straight motion, each once, in strips: column after
-//! column, or row after row, whichever the motion crosses more of.
+//! The cells that a body passes on a long straight motion, each once. They come in strips: column
+//! after column, or row after row, whichever the motion crosses more of.
 
 use super::{ShapeSet, Store, TileMap};
 use crate::num::{Raw, mul_div};

@@ -215,7 +215,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// [`run`](Self::run) along a line that has cells of the map on both sides; two look-ups per
     /// step. `None` for other rays and, unless `ANY`, if the cell at the start is full.
     ///
-    /// A face is met where a full cell follows one that is not, on the same side of the line: a
+    /// A face is met where a full cell follows one that is not, on the same side of the line. So a
     /// wall that the ray slides along has none.
     #[inline(never)]
     pub(in crate::world) fn run_along<const ANY: bool>(&self, x: &Lane, y: &Lane) -> Option<BlockRun> {
@@ -260,7 +260,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     }
 }
 
-/// The four cells at a line or corner, as seen by a ray: the one it is in, those across one line,
+/// The four cells at a line or corner. For a ray they are the one it is in, those across one line,
 /// and the one across both. A bit is set where the cell is full. Across a single line, they are two
 /// cells twice.
 type FourCells = u32;

@@ -5,8 +5,8 @@ use crate::world::ray::walk::{Lane, X, Y};
 use crate::world::tile_map::{ShapeSet, Store, TileMap};
 
 impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
-    /// A [run](Self::run) where no corner can be met, with the lead and the tile in one register:
-    /// the lead above, so that its sign is that of both. No tile of the map is before the first
+    /// A [run](Self::run) where no corner can be met, with the lead and the tile in one register.
+    /// The lead is above, so its sign is that of both. No tile of the map is before the first
     /// one, so the lower half never borrows from the lead.
     #[inline(always)]
     pub(super) fn run_packed<const ANY: bool, const KEEP: bool>(&self, x: &Lane, y: &Lane, e: i32) -> BlockRun {

@@ -95,7 +95,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Whether the start of a walk is strictly inside the solid.
     ///
     /// It is if the inequality of each shape that it touches holds strictly. If one is an equality,
-    /// the shape's line or arc ends on the border of its cell, and near points of the cell are not
+    /// the shape's line or arc ends on the border of its cell. Near points of the cell are then not
     /// in the shape.
     pub(in crate::world) fn start_is_inside(&self, o: Raw, walk: &RayWalk) -> bool {
         walk.all_at_start(false, self.grid.cell as u32, |x, y| self.holds_just_after(o, NONE, x, y))
@@ -104,14 +104,14 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// Whether a ray is strictly inside the solid just after its start.
     ///
     /// It is within one cell then, or on the line between two whose shapes must both cover the line
-    /// there. No border of a shape but those on the cell's own sides runs along a line of the grid
-    /// between two cells: so both are the same question, in each cell.
+    /// there. Only those borders of a shape that are sides of its cell run along a line of the
+    /// grid. So both are the same question, in each cell.
     pub(in crate::world) fn start_goes_in(&self, o: Raw, d: Raw, walk: &RayWalk) -> bool {
         walk.all_at_start(true, self.grid.cell as u32, |x, y| self.holds_just_after(o, d, x, y))
     }
 
-    /// Whether the inequality of a cell's shape holds strictly just after the start of a ray that
-    /// is in the closed cell then; at the start itself if there is no motion.
+    /// Whether the inequality of a cell's shape holds strictly just after the start of a ray. The
+    /// ray is in the closed cell then. If there is no motion, at the start itself.
     ///
     /// Only halves reach beyond the map. They depend on one coordinate, which is within a cell
     /// there: sums are below 2^27.
@@ -147,7 +147,7 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
 }
 
 /// Cursor over the pieces of a cell, as [`features`](TileMap::features) has them. It omits
-/// vertices, sides that the motion does not oppose, and the marks of joints: rays do not need
+/// vertices, sides that the motion does not oppose, and the marks of joints. Rays need none of
 /// those, and they are most of the work.
 #[derive(Clone, Debug)]
 pub(in crate::world) struct TilePieces<'w, S: ShapeSet, T: Store> {
