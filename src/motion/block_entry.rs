@@ -16,8 +16,8 @@ pub(super) enum EnteredPart {
     Corner(i32, i32),
 }
 
-/// One axis, mirrored if the motion leads against it: the core is a point at 0 that moves by `way`,
-/// not negative, toward the cell, which the core has grown.
+/// One axis, mirrored if the motion leads against it. The core is a point at 0 that moves by `way`
+/// toward the cell, which the core has grown. `way` is not negative.
 struct Along {
     /// The nearer side of the cell.
     near: i32,

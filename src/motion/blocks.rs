@@ -166,8 +166,8 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
         self.sweep(&Face { a, dir, len, joined }, &found);
     }
 
-    /// Whether the motion reaches a cell only after its first hit so far: by more than the raw
-    /// units that bounds of times may be early. One-way tiles always count.
+    /// Whether the motion reaches a cell only after its first hit so far, by more raw units than
+    /// bounds of times may be early. One-way tiles always count.
     fn is_late(&self, block: &Block) -> bool {
         let Some((num, den)) = self.first.time() else { return false };
         if block.kind.fill() != Fill::Part {
@@ -244,8 +244,8 @@ impl<W: World, B: Body> BlockSweep<'_, W, B> {
     }
 }
 
-/// The side across x or y of a cell that a motion comes to, `back` toward smaller coordinates: its
-/// index in a block's order, solid on the left, its first point, direction and length.
+/// The side across x or y of a cell that a motion comes to, `back` toward smaller coordinates.
+/// Returns its index in a block's order, solid on the left, its first point, direction and length.
 #[inline]
 pub(super) fn side((lo, hi): (Raw, Raw), across_x: bool, back: bool) -> (u16, Raw, Axis, i32) {
     let (width, height) = (hi.x.wrapping_sub(lo.x), hi.y.wrapping_sub(lo.y));

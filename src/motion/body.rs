@@ -83,10 +83,10 @@ pub struct Entry {
     /// Out of the solid, toward the body.
     pub(super) normal: Axis,
     /// Whether other hits at the same moment win. A box may meet a face only at its free end,
-    /// corner to corner, and another face over a length: the motion along that one passes this end.
+    /// corner to corner, and another face over a length. The motion along that one passes this end.
     /// A body may meet the end of a quarter pipe: the surface beyond it goes first.
     pub(super) at_end: bool,
-    /// The displacement up to a vertex or an arc, rounded out of the solid. Faces have `None`, see
+    /// The displacement up to a vertex or an arc, rounded out of the solid. `None` for faces: see
     /// [`displacement`](Self::displacement).
     pub(super) step: Option<Raw>,
 }
@@ -197,8 +197,8 @@ pub(super) fn by_size(a: Axis, b: Axis) -> Ordering {
     key(a).cmp(&key(b))
 }
 
-/// Whether all that a body can hit in a level are sides of cells: a box among blocks, which goes by
-/// the lines of the grid.
+/// Whether a body can hit only sides of cells in a level. A box among blocks does: it goes by the
+/// lines of the grid.
 pub(super) const fn is_by_lines<W: World, B: Body>() -> bool {
     W::GRID && W::BLOCKS && !B::MEETS_CORNERS
 }
@@ -234,8 +234,8 @@ pub(super) mod kernel {
         fn meets_joints(&self) -> bool;
         /// The bounding box.
         fn bounds(&self) -> Aabb;
-        /// Its width and height. A compiler does not see that both are the diameter of a circle,
-        /// which takes 16 of the 360 instructions of a circle that flies on a Cortex-M0.
+        /// Its width and height. A compiler does not see that both are the diameter of a circle.
+        /// That takes 16 of the 360 instructions of a circle that flies on a Cortex-M0.
         fn extent(&self) -> Raw {
             Raw::of(self.bounds().size())
         }
@@ -253,8 +253,8 @@ pub(super) mod kernel {
         }
         /// [`sweep`](Self::sweep) for worlds of [`BLOCKS`](World::BLOCKS).
         fn sweep_block(&self, d: Raw, feature: &Feature) -> Option<Entry>;
-        /// The box of the points that have the [radius](Self::rounding) around them: all of a box,
-        /// the centre of a circle, the segment in the middle of a capsule.
+        /// The box of the points that have the [radius](Self::rounding) around them. They are all
+        /// of a box, the centre of a circle, and the segment in the middle of a capsule.
         fn core_box(&self) -> (Raw, Raw);
         /// The radius of its corners.
         fn rounding(&self) -> i32;
@@ -273,8 +273,8 @@ pub(super) mod kernel {
             let _ = p;
             self.toward(entry.normal.reversed())
         }
-        /// Passes directions from a solid to the body, one of which is between them unless they
-        /// overlap: into each side, and between the points that are nearest to each other. Asked as
+        /// Passes directions from a solid to the body: into each side, and between the points that
+        /// are nearest to each other. Unless they overlap, one direction is between them. Asked as
         /// above.
         fn sides_toward(&self, solid: &[Vec2], each: &mut dyn FnMut(Axis)) {
             let (lo, hi) = self.core_box();

@@ -201,7 +201,7 @@ impl<B: Body> Character<B> {
     /// Cost: one [`Walker::walk`].
     ///
     /// # Errors
-    /// [`RangeError`] if a speed or the body's half extent is not below 4096 units, or the
+    /// [`RangeError`] if a speed or the body's half extent is not below 4096 units. Also if the
     /// [`Feel`]'s snap or step is negative or not below that. Always if the body cannot move, such
     /// as a slanted capsule or one without radius. The character is then unchanged.
     pub fn step<W: World>(&mut self, level: &W, input: Input) -> Result<Step, RangeError> {

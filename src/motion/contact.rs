@@ -1,5 +1,5 @@
-//! The surfaces that a body touches: the features within the rounding distance of its position,
-//! the direction in which each of them faces there, and whether the body touched it before.
+//! The surfaces that a body touches: the features within the rounding distance of its position.
+//! Each has the direction in which it faces there, and whether the body touched it before.
 
 use super::body::{Body, Entry, may_be_round};
 use super::plane::{NEAR, Pipe, across, into, tangential};
@@ -65,8 +65,8 @@ fn is_near<B: Body>(body: &B, a: Raw, b: Raw, straight: bool) -> bool {
     is_within(body, a, b, REACH, straight)
 }
 
-/// Whether the part of a rounded body nearest to a face is over the face, or beside it by at most 1
-/// to 1.5 times the rounding distance. A body farther aside can only touch the face's end.
+/// Whether the part of a rounded body nearest to a face is over the face. It may be beside it by at
+/// most 1 to 1.5 times the rounding distance. A body farther aside can only touch the face's end.
 fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis) -> bool {
     // For a face along x or y all of the core may be nearest, for a slope one end.
     let (first, last) = if dir.x == 0 || dir.y == 0 {

@@ -174,8 +174,8 @@ impl core::error::Error for MoveError {}
 // Cortex-M0, not 5658.
 #[repr(C)]
 pub struct Hit {
-    /// The part of the motion made before the hit: a fraction of the motion, 0 to 1. For the first
-    /// hit on a face along x or y, and for a box on the slope of a tile, it is exact, rounded down.
+    /// The part of the motion made before the hit: a fraction of the motion, 0 to 1. It is exact,
+    /// rounded down, for the first hit on a face along x or y, and for a box on a tile's slope.
     /// At other surfaces it may be early, by less than one raw unit of travel. A later hit of the
     /// same call adds the rounding of the earlier ones.
     pub toi: Toi,

@@ -102,8 +102,8 @@ impl<S: Law> Mover<S> {
         Some(OnlyHit { toi, made, rest, v })
     }
 
-    /// If all that is near a body is behind the tangent where it meets a corner, an arc or a slope,
-    /// it goes on along that tangent.
+    /// Goes on along the tangent where a body meets a corner, an arc or a slope. It does so only if
+    /// all that is near the body is behind that tangent.
     ///
     /// Such a way crosses no solid. Of all ways that do not cross the tangent, that is the one
     /// nearest to the velocity. So the projection on it is the longest. Other surfaces that the

@@ -120,7 +120,7 @@ impl First {
 ///
 /// If the bound is early by less than a raw unit of way, the position at the moment of the face
 /// decides. The vertex or arc is earlier if the body is then inside of the disc that it enters, or
-/// already leaving it, or outside of the disc that it leaves.
+/// already leaves it. It is earlier, too, if the body is outside of the disc that it leaves.
 #[inline(never)]
 fn is_earlier<B: Body, W: World>(body: &B, d: Raw, (round, feature): (&Entry, &Feature), flat: &Entry) -> bool {
     if umul(round.num, flat.den) >= umul(flat.num, round.den) {

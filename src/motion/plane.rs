@@ -16,8 +16,8 @@ pub(super) const NEAR: u32 = 4;
 
 /// Nothing farther than this binds a way.
 ///
-/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`: 13 raw for the slopes of
-/// tiles, 64 for planes that differ by four degrees.
+/// Two planes [`NEAR`] apart at an angle `a` meet within `NEAR / sin a`. That is 13 raw for the
+/// slopes of tiles, and 64 for planes that differ by four degrees.
 pub(super) const FAR: u32 = 64;
 
 /// The longer component of a displacement.
@@ -173,7 +173,7 @@ pub(super) struct Chord {
 
 impl Pipe {
     /// Whether a ray from the point leaves the quarter disc through the arc, and not through one of
-    /// the radii to the arc's ends: between those it leads to either end, or to the centre.
+    /// the radii to the arc's ends. A ray through a radius leads between an end and the centre.
     pub(super) fn is_left_along(&self, v: Raw) -> bool {
         let (q, r) = (self.quadrant, self.r);
         let turn = i64::from(q.x.wrapping_mul(q.y));

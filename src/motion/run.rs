@@ -1,5 +1,5 @@
-//! One call of a mover: it finds the first hit, the position at the hit, the rest of the motion,
-//! and the chord along a quarter pipe.
+//! One call of a mover: the first hit, the position at the hit, the rest of the motion, and the
+//! chord along a quarter pipe.
 
 use super::body::{Body, Entry};
 use super::contact::Plane;
@@ -359,10 +359,10 @@ pub(super) fn check_inside(bounds: &Aabb, d: Raw) -> Result<(), RangeError> {
 /// In a gap that closes slowly, there is room only farther back. Positions there are on the
 /// motion's own line: the hit's is rounded away from one surface, which may be into another.
 ///
-/// The gap decides how far. A distance `s` before two corners as far apart as the body is wide, the
-/// body has `s^2 / rho` to spare: less than a raw unit over `sqrt rho`. So the search goes back to
-/// the start, in steps that double: 27 below 2^29, of seven positions each. Otherwise a way that is
-/// free for hundreds of raw units could lead nowhere.
+/// The gap decides how far. Take two corners as far apart as the body is wide. At a distance `s`
+/// before them the body has `s^2 / rho` to spare: less than a raw unit over `sqrt rho`. So the
+/// search goes back to the start, in steps that double: 27 below 2^29, of seven positions each.
+/// Otherwise a way that is free for hundreds of raw units could lead nowhere.
 #[inline]
 pub(crate) fn first_place(q: Raw, d: Raw, mut tried: usize, mut takes: impl FnMut(Raw) -> bool) -> Raw {
     // Corners: rounding away from one corner may graze another. Tries lattice neighbours toward the

@@ -322,7 +322,7 @@ pub(super) const CELLS: u32 = 1 << 18;
 
 /// Refuses a motion that visits more than [`CELLS`] cells.
 ///
-/// A hull of up to 256 cells a side never does: in one piece it meets at most 258 squared, in
+/// A hull of up to 256 cells a side never does. In one piece it meets at most 258 squared, in
 /// pieces longer than the body fewer.
 #[inline]
 pub(super) fn check_cells<W: World>(world: &W, side: Raw, d: Raw) -> Result<(), RangeError> {

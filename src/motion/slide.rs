@@ -304,11 +304,13 @@ impl<B: Body> Run<'_, B> {
     }
 
     /// The longest free way that does not lead into the plane of the hit surface. If something else
-    /// binds those, any free way: the body may be beside the surface that it hit, at its end or by
-    /// the rounding of its position. If there are none, because they are slower than the rounding,
-    /// any free way along a surface: a ball that meets a corner head on goes along the face that
-    /// ends there, if the corner does not bind that. A body without area is beside nothing: it may
-    /// stand where two surfaces touch and leave no face.
+    /// binds those, any free way. The body may then be beside the surface that it hit, at its end
+    /// or by the rounding of its position.
+    ///
+    /// If there are none, because they are slower than the rounding, any free way along a surface.
+    /// A ball that meets a corner head on goes along the face that ends there, if the corner does
+    /// not bind that. A body without area is beside nothing: it may stand where two surfaces touch
+    /// and leave no face.
     fn choose<'w, W: World>(&self, world: &W, ways: &'w mut Ways, hit: Axis, passes: bool) -> Option<&'w FreeWay> {
         let body = &self.moved.body;
         let is_shut = |way: &FreeWay| self.shut.holds(way.probe());

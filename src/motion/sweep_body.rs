@@ -216,8 +216,8 @@ pub(super) fn sweep_peak(lo: Raw, hi: Raw, d: Raw, p: Raw, e_in: Axis, e_out: Ax
     first
 }
 
-/// Entry of a side of the box, grown by `r`, that lands on a point of the surface with a normal
-/// parallel to x or y. None if the normal is zero.
+/// Entry of a side of the box, grown by `r`, that lands on a point of the surface. The normal there
+/// is parallel to x or y. None if it is zero.
 #[inline(never)]
 pub(super) fn sweep_end(core: (Raw, Raw), r: i32, d: Raw, p: Raw, normal: Axis) -> Option<Entry> {
     if normal.is_zero() {
@@ -227,9 +227,9 @@ pub(super) fn sweep_end(core: (Raw, Raw), r: i32, d: Raw, p: Raw, normal: Axis) 
     sweep_face(core, r, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 
-/// Entry through a convex arc. Either the corner of the box nearest to the arc's centre enters the
-/// arc itself, or a side lands on an end with a normal along x or y. The same side also meets a
-/// flat face that continues from there.
+/// Entry through a convex arc. The corner of the box nearest to the arc's centre enters the arc
+/// itself. Or a side lands on an end with a normal along x or y. The same side also meets a flat
+/// face that continues from there.
 #[inline(never)]
 pub(super) fn sweep_round((lo, hi): (Raw, Raw), corner: Raw, d: Raw, arc: (Raw, i32, Axis)) -> Option<Entry> {
     let (centre, radius, quadrant) = arc;

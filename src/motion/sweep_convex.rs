@@ -1,10 +1,9 @@
 //! Sweeps a body with sides in any direction: an oriented box, a convex polygon, a slanted capsule.
 //!
-//! Against a face it is its deepest corner, or the side that is parallel to the face. Against a
-//! corner or an arc, which is a point with a radius, each of its own sides is a face that the point
-//! comes to, and each of its own corners a disc. Which of them is met is decided by the normals: a
-//! disc counts only between the normals of the sides beside it. So each sweep is as exact as that
-//! of a circle.
+//! Against a face it is its deepest corner, or the side that is parallel to the face. A corner or
+//! an arc is a point with a radius. Each side of the body is a face that this point comes to, and
+//! each corner of the body a disc. The normals decide which of them is met: a disc counts only
+//! between the normals of the sides beside it. So each sweep is as exact as that of a circle.
 
 use super::body::Entry;
 use super::body::kernel::Kernel;
@@ -210,8 +209,8 @@ fn sweep_wide((first, last): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<
     Some(Entry { num: time.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: None })
 }
 
-/// Whether a sharp corner that has met a line, and moves by `d` through it, is then behind the line
-/// in the direction `way` from there: by a side along the line, or by one that follows.
+/// Whether a sharp corner that moves by `d` through a line is then behind it in the direction `way`
+/// from where it met the line. A side along the line covers that, or one that follows.
 fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     let is_flat = |other: usize| {
@@ -223,9 +222,9 @@ fn covers(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
 
 /// Whether a side beside such a corner follows it over the line, in the direction `way`.
 ///
-/// The side leads back in front of the line. Relative to the point at which the corner met it, one
-/// that leads along `q` crosses the line at `d + t q`, on the side of the sign of `d x q` over that
-/// of `way x q`. Below 2^58.
+/// The side leads back in front of the line. Take positions relative to the point at which the
+/// corner met it. A side that leads along `q` crosses the line at `d + t q`. It does so on the side
+/// of the sign of `d x q` over that of `way x q`. Below 2^58.
 fn follows(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool {
     let here = core.corner(corner);
     [core.after(corner), core.before(corner)].into_iter().any(|other| {
@@ -234,8 +233,8 @@ fn follows(core: Core<'_>, corner: usize, d: Raw, out: Axis, way: Axis) -> bool 
     })
 }
 
-/// Entry of a side through a point with a radius, which is its own the body's radius added: where
-/// the point, as the side sees it, comes to it.
+/// Entry of a side through a point with a radius, to which the body's own radius is added. It is
+/// where the point, as the side sees it, comes to the side.
 fn sweep_side(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Option<Entry> {
     let a = core.corner(corner);
     let e = core.corner(core.after(corner)).sub(a);
@@ -270,9 +269,9 @@ fn sweep_disc(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Opt
 
 /// Entry of a sharp side through a corner, in the open cone of which its normal is.
 ///
-/// Where a corner of the body meets it exactly, both are wedges. The motion leads from one into the
-/// other if it is against both normals that bound what their cones share: this side's, and that of
-/// the other side or of the edge, whichever is nearer.
+/// Where a corner of the body meets it exactly, both are wedges. Two normals bound what their cones
+/// share: this side's, and the nearer one of the other side's and the edge's. The motion leads from
+/// one wedge into the other if it is against both.
 fn sweep_sharp(core: Core<'_>, side: usize, p: Raw, d: Raw, (e_in, e_out): (Axis, Axis)) -> Option<Entry> {
     let (next, normal) = (core.after(side), core.facing_normal(side));
     let (m, n) = (p.sub(core.corner(side)), p.sub(core.corner(next)));
@@ -294,8 +293,8 @@ fn sweep_sharp(core: Core<'_>, side: usize, p: Raw, d: Raw, (e_in, e_out): (Axis
     Some(Entry { num, den, normal, at_end: over_start == 0 || over_end == 0, step: None })
 }
 
-/// Entry of a convex corner of any angle. Where a side is parallel to one of its edges, and where a
-/// sharp corner has no side that is between them, the faces are responsible.
+/// Entry of a convex corner of any angle. The faces are responsible where a side is parallel to one
+/// of its edges, and where a sharp corner has no side between them.
 ///
 /// Two sides can meet it at one moment, where it comes exactly to the corner between them. Geometry
 /// chooses, and not the order of the corners.

@@ -13,8 +13,8 @@ pub(super) struct Face {
     pub(super) joined: [bool; 2],
 }
 
-/// Entry of the box `lo..hi`, grown by `r` all around, moving by `d` through a face along x or y,
-/// if the motion would start to overlap beyond it.
+/// Entry of the box `lo..hi`, grown by `r` all around, that moves by `d` through a face along x or
+/// y. None if the motion would not start to overlap beyond it.
 ///
 /// With gap g >= 0 and speed s > 0 into the face, the entry time is g/s. The motion overlaps beyond
 /// the face only if it continues after touching (g < s). At that moment the box must span a part of
@@ -79,10 +79,10 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
 ///
 /// A point passes over the part of the slope on the side of an end where the line of its motion
 /// runs. With m from the end to the point, that side is `sign(m x d)`, for any direction of the
-/// slope: the time of crossing cancels out. An end counts as in [`sweep_face`]: the corner of a box
-/// enters there if it moves over the face. The motion into the face is then also a motion, along x
-/// or y, into the next part of the surface that the box could be on. A box without width or height
-/// has no such part: an acute corner that it only grazes may stop it.
+/// slope: the time of crossing cancels out. An end counts as in [`sweep_face`]. The corner of a box
+/// enters there if it moves over the face. The motion into the face then leads
+/// along x or y into the next part of the surface that the box could be on, too. A box without
+/// width or height has no such part: an acute corner that it only grazes may stop it.
 ///
 /// ```text
 ///      +----+          |m|, |d| below 2^30 and 2^28, |dir| below 2^30: products below 2^59 and 2^61

@@ -7,8 +7,8 @@ use crate::query::cast::moment::{exit_time, ratio};
 use crate::query::cast::side::{along, offset_to_radius};
 use core::cmp::Ordering;
 
-/// The entry of a crossing. A body that is over a corner or an arc from the start does not enter:
-/// it passes such a one-way corner, and it can be over a solid one only if it started in the solid.
+/// The entry of a crossing. A body that is over a corner or an arc from the start does not enter.
+/// It passes such a one-way corner. Over a solid one it can be only if it started in the solid.
 pub(super) fn entry(hit: &Crossing, m: Raw, d: Raw) -> Option<Entry> {
     if hit.starts_inside(m) {
         return None;
@@ -26,9 +26,9 @@ const fn is_unit(e: Axis) -> bool {
     (e.x == 0 || e.y == 0) && e.x.wrapping_add(e.y).unsigned_abs() == 1
 }
 
-/// Entry of the point `m` (centre relative to the corner) moving by `d` into the disc of radius
-/// `r`, inside the open cone of a corner: of any angle below 180 degrees, cusps included. On the
-/// cone's borders, and outside of it, the faces are responsible.
+/// Entry of a point into the disc of radius `r`, inside a corner's open cone. `m` is the centre
+/// relative to the corner, `d` its motion. The angle is below 180 degrees; cusps are included. On
+/// the cone's borders, and outside of it, the faces are responsible.
 #[inline(never)]
 pub(super) fn sweep_cone(m: Raw, r: i32, d: Raw, e_in: Axis, e_out: Axis) -> Option<Entry> {
     if !comes_along(m, d, e_in) || !comes_along(m, d, e_out.reversed()) {
@@ -112,7 +112,7 @@ pub(super) fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool 
     in_time(offset(cross, e, r, du), approaching, du > 0, false)
 }
 
-/// As [`offset_to_radius`], but mostly with one product if `|e|` is 1 or the root of 2 or 5: it
+/// As [`offset_to_radius`], but mostly with one product if `|e|` is 1 or the root of 2 or 5. It
 /// bounds the length of the offset by two sums of its halves.
 fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
     let (size, speed) = (cross.unsigned_abs(), du.unsigned_abs());
@@ -146,8 +146,8 @@ fn in_time(offset: Ordering, approaching: bool, rising: bool, closed: bool) -> b
     if rising { approaching && (offset.is_gt() || at_once) } else { !approaching || offset.is_lt() || at_once }
 }
 
-/// Entry of the point `m` (relative to the arc's centre) moving by `d` into the disc of radius `r`,
-/// in the quadrant, with its borders if `closed`.
+/// Entry of the point `m`, relative to an arc's centre, that moves by `d` into the disc of radius
+/// `r`. Only in the quadrant, with its borders if `closed`.
 ///
 /// A point that starts inside of the disc is on another side of the solid. It passes the quadrant's
 /// border inside, or after leaving: no entry.
@@ -206,7 +206,7 @@ pub(super) fn leave_by_corner(m: Raw, r: i32, d: Raw, quadrant: Axis) -> Option<
     if passes { None } else { leave_quarter(m, r, d, quadrant) }
 }
 
-/// [`leave_quarter`] if the disc is a point: a body as wide as the pipe reaches its centre, touches
+/// [`leave_quarter`] if the disc is a point. A body as wide as the pipe reaches its centre, touches
 /// all of it, and moves on against an end.
 #[inline(never)]
 pub(super) fn leave_centre(m: Raw, d: Raw, quadrant: Axis) -> Option<Entry> {

@@ -77,8 +77,8 @@ fn aside(dir: Axis) -> i64 {
     umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64
 }
 
-/// The planes of a point with a radius: of the sides of the body that it is at, and of the corner
-/// whose disc it is at. Returns whether there are any.
+/// The planes of a point with a radius: those of the body's sides that it is at. Also that of the
+/// corner, if it is at its disc. Returns whether there are any.
 fn around(
     core: Core<'_>,
     p: Raw,

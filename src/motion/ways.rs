@@ -127,9 +127,9 @@ impl FreeWay {
     }
 }
 
-/// The way of a probe up to its hit, if that binds it: the way is at most the rounding distance, or
-/// it is at most [`FAR`] and the gap along the normal is at most the rounding distance. The answer
-/// does not depend on how a face is cut.
+/// The way of a probe up to its hit, if that binds it. It does if the way is at most the rounding
+/// distance. It does, too, if the way is at most [`FAR`] and the gap along the normal is at most
+/// the rounding distance. The answer does not depend on how a face is cut.
 fn room_to(probe: Raw, entry: &Entry) -> Option<u8> {
     let room = mul_div(way(probe), entry.num, entry.den);
     let n = entry.normal;

@@ -32,9 +32,9 @@ impl Bounce {
     }
 }
 
-/// Whether a hit of a mover that bounces is a slide: the surface [stops](Surface::stops) the body,
-/// or it faces a surface that the body touches at the same place. Bounces between facing surfaces
-/// would take no time, and never end.
+/// Whether a hit of a mover that bounces is a slide. It is if the surface [stops](Surface::stops)
+/// the body, or faces another one that the body touches at the same place. Bounces between facing
+/// surfaces would take no time, and never end.
 fn slides(surface: &Surface, (v, normal): (Raw, Axis), here: Option<&Hits>) -> bool {
     let is_squeezed = |hits: &Hits| {
         let faces = |hit: &Hit| hit.axis == normal.reversed() && hits.last().is_some_and(|last| last.toi == hit.toi);

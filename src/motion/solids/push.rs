@@ -164,8 +164,8 @@ fn way_out(solid: &Solid, lo: Raw, hi: Raw) -> Axis {
     best.2
 }
 
-/// Takes a body off a corner after the rest of its motion: along the normal, or along one axis if
-/// the bounds stop it on the other.
+/// Takes a body off a corner after the rest of its motion. It goes along the normal, or along one
+/// axis if the bounds stop it on the other.
 fn off(rest: Raw, made: Raw, n: Axis, room: &Clearance) -> Raw {
     let into = n.dot(Axis::new(rest.x, rest.y));
     if into >= 0 {

@@ -85,9 +85,9 @@ pub(super) struct Shove {
 impl Shove {
     /// Moves a body, and never into the level. `d` is not zero.
     ///
-    /// At a slope, a corner or an arc it keeps the motion along the axis that is `held`, and yields
-    /// along the other one, at most twice as far. At a wall across the axis it stops. A body that a
-    /// lift pushes up along a slanted ceiling therefore rises as far as the lift does.
+    /// At a slope, a corner or an arc it keeps the motion along the `held` axis. It yields along
+    /// the other one, at most twice as far. At a wall across the axis it stops. So a body that a
+    /// lift pushes up along a slanted ceiling rises as far as the lift does.
     ///
     /// ```text
     ///         \ ceiling                held: y. The slope makes the body yield to the left,

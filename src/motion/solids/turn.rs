@@ -185,12 +185,12 @@ fn part_of(v: i32, far: i64, whole: u64) -> i32 {
     if v < 0 { size.wrapping_neg() } else { size }
 }
 
-/// The points of a body that are lowest over a face with the normal `n`, in the direction of the
-/// face: both ends of a side that lies on it.
+/// The points of a body that are lowest over a face with the normal `n`. If a side lies on the
+/// face, they are both of its ends, in the direction of the face.
 ///
-/// Along x and y exactly: corners differ by less than 2^29 along the face, so of two at unequal
-/// heights the lower one is farther in both directions. Otherwise a side counts that is within 1 :
-/// 512 of the face.
+/// Along x and y that is exact. Corners differ by less than 2^29 along the face. So of two at
+/// unequal heights the lower one is farther in both directions. Otherwise a side counts that is
+/// within 1 : 512 of the face.
 pub(super) fn lowest<B: Body>(body: &B, n: Axis) -> (Raw, Raw) {
     let size = n.x.unsigned_abs().max(n.y.unsigned_abs());
     let (up, slack) = if n.x == 0 || n.y == 0 { (29, 29) } else { (leading_zeros32(size) & 31, 9) };

@@ -20,7 +20,7 @@ fn face(along_x: bool, d: Raw) -> Face {
     Face { a, dir, len, joined: [false; 2] }
 }
 
-/// Boxes, discs and capsules at all places around a cell, by all short motions: sweeps against
+/// Boxes, discs and capsules at all places around a cell, by all short motions. Sweeps against
 /// each side and each corner find what this one decision says, and nothing else. The disc of
 /// the corner that it names is entered in that corner's quadrant, or not at all.
 #[test]

@@ -76,8 +76,8 @@ fn first<B: Body>(body: &B, d: P, features: &[Feature]) -> Option<Entry> {
     first.hit::<B, SegmentMap<'_>>(body, d).map(|hit| *hit.0)
 }
 
-/// The boundary of a polygon that turns from x toward y (its solid is on the left): a face an edge,
-/// a vertex where it is convex.
+/// The boundary of a polygon that turns from x toward y, so its solid is on the left. It has a face
+/// per edge, and a vertex where it is convex.
 fn outline(points: &[P]) -> Vec<Feature> {
     let n = points.len();
     let edge = |i: usize| {

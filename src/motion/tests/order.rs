@@ -1,5 +1,5 @@
-//! A corner and a wall that a circle meets at one moment, or a raw unit of way apart: 3-4-5
-//! triangles, so that the moments are fractions.
+//! A corner and a wall that a circle meets at one moment, or a raw unit of way apart. The triangles
+//! are 3-4-5, so the moments are fractions.
 
 use super::std::vec::Vec;
 use super::{P, circle, first, outline};

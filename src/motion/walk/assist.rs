@@ -101,8 +101,8 @@ fn stops<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside
     (!farther).then_some(next)
 }
 
-/// The shortest way aside past the hit surface, and the way that is free: from where the motion
-/// first comes farther, back to the surface's side, a raw unit into its face.
+/// The shortest way aside past the hit surface, and the way that is free. The search goes from
+/// where the motion first comes farther back to the surface's side, a raw unit into its face.
 fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: Raw) -> Option<(Raw, Raw)> {
     let bounds = run.moved.body.bounds();
     let free = match run.look(world, side) {

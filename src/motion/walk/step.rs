@@ -106,8 +106,8 @@ impl<W: World, B: Body> Stride<'_, '_, W, B> {
 
     /// The floor that carries the body on this ground.
     ///
-    /// A circle, or a polygon on a narrow foot, comes down to the edge of a step before it is over
-    /// the step, or while it is still beyond. Such a step is not complete. The same motion down is
+    /// A circle, or a polygon on a narrow foot, comes down to the edge of a step before or after it
+    /// is over the step. Such a step is not complete. The same motion down is
     /// then tested from farther ahead, by the part of the body in front of its foot. The body
     /// stands if that ends on floor.
     pub(super) fn footing(&mut self, ground: &Ground) -> Option<Support> {

@@ -54,8 +54,8 @@ enum On {
 }
 
 impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
-    /// How often a blocked body may move by roundings to a position with a free way: down to its
-    /// floor, along it, down again, and one final attempt.
+    /// How often a blocked body may move by roundings to a position with a free way. It goes down
+    /// to its floor, along it, down again, and makes one final attempt.
     const CREEPS: u32 = 4;
 
     pub(super) fn new(walker: &'a Walker, world: &'a W, run: &'a mut Run<'m, B>, up: Axis, floor: Axis) -> Self {
