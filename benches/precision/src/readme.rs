@@ -28,10 +28,11 @@ const HEAD: &str = "<!-- precision:begin (benches/precision/run.sh writes this) 
 
 const FOOT: &str = "
 Instructions on x86-64; wrong answers in a million, in the class of the row / in the worst class of
-the workload. The class of a row has half hits, or generic rays, or a circle or a box that moves up
-to 4 px per frame among blocks, or a frame of 256 boxes in coherent motion. A frame is wrong if it
-ends in the solid, even by a little. On x86-64 tilesat uses its feature `libm`, on the Cortex-M0 it
-does not. Textbook boxes look only where they end, if that is exact, else at all that they cross.
+the workload. In the class of a row, half of the pairs hit, and rays are generic. A circle or a box
+moves up to 4 px per frame among blocks. The frame of 256 boxes is one of coherent motion. A frame
+is wrong if it ends in the solid, even by a little. On x86-64 tilesat uses its feature `libm`, on
+the Cortex-M0 it does not. Textbook boxes look only where they end, if that is exact, else at all
+that they cross.
 ";
 
 /// The lines of the README's table: a name, then as in [`LINES`].
@@ -165,7 +166,7 @@ fn floats(rows: &[Row]) -> String {
         }
     }
     let wrong =
-        wrong.iter().map(|(classes, of, most)| format!("{} ({classes}: up to {})", of.join(", "), short(*most)));
+        wrong.iter().map(|(classes, of, most)| format!("| {} | {classes} | {} |\n", of.join(", "), short(*most)));
     let deepest = rows.iter().filter(|r| r.backend() == "textbook f64" && r.workload() == "move: blocks 25 %");
     let deepest = deepest.filter(|r| r.class().starts_with("circle")).filter_map(|r| r.get("deepest_px"));
     let boxes = Question { workload: "move: blocks 25 %", asked: "move" };
@@ -177,18 +178,22 @@ fn floats(rows: &[Row]) -> String {
     let text = format!(
         "**Where we lose.** On a desktop textbook f64 is right in most classes, {exact} with contacts. In {cheaper} of those, nearly all \
          tests of pairs, it takes fewer instructions than tilesat. tilesat wins without an FPU, if the bits must be equal on every \
-         machine, and in the classes in which f64 is wrong. Those are, with errors in a million: {}. Its circles among \
-         blocks are at most {} px deep. It is never wrong in: {}. Only among blocks, boxes that look at all columns and rows that they \
-         cross are right in every format. They take {naive} instructions in naive Q16.16 and {double} in f64; ours takes {ours}. On a \
-         Cortex-M0 textbook f64 takes fewer instructions than tilesat in {}, f32 in {}, and naive Q16.16, right or wrong, in {}. Convex pairs were not counted there.",
-        wrong.collect::<Vec<_>>().join("; "),
+         machine, and in the classes in which f64 is wrong:"
+    );
+    let after = format!(
+        "Its circles among blocks are at most {} px deep. On a Cortex-M0 textbook f64 takes fewer instructions than tilesat in {}, f32 in \
+         {}. Naive Q16.16, right or wrong, takes fewer in {}. Convex pairs were not counted there. Only among blocks, boxes that look at \
+         all columns and rows that they cross are right in every format. They take {naive} instructions in naive Q16.16 and {double} in \
+         f64; ours takes {ours}.",
         short(deepest.fold(0.0, f64::max)),
-        right.join(", "),
         m0[0],
         m0[1],
         m0[2]
     );
-    format!("\n{}\n", wrapped(&text, 100))
+    let table = "| f64 is wrong in | classes | errors in a million, up to |\n|---|---|--:|\n";
+    let wrong: String = wrong.collect();
+    let never = format!("| {} | none | 0 |\n", right.join(", "));
+    format!("\n{}\n\n{table}{wrong}{never}\n{}\n", wrapped(&text, 100), wrapped(&after, 100))
 }
 
 /// The number of classes in which a backend's best costs less than ours.
@@ -236,7 +241,7 @@ mod tests {
         let line = "| two circles | 24.0; **0** | 18.0; 480 | - | 30.5, -, - |";
         assert!(readme_table(&rows).contains(line), "{}", readme_table(&rows));
         assert!(
-            table.contains("circle-circle (far: up to 480)") && table.contains("most classes, 1 with contacts"),
+            table.contains("| circle-circle | far | 480 |") && table.contains("most classes, 1 with contacts"),
             "{table}"
         );
     }
