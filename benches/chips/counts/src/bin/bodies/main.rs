@@ -1,11 +1,10 @@
-//! Prints the costs of moving solids and of whole scenes.
+//! Prints the costs of whole scenes.
 
 #![no_std]
 #![no_main]
 
 mod queries;
 mod scene;
-mod solids;
 
 use tilesat_chip::entry;
 use tilesat_counts::bodies::Bodies;
@@ -20,7 +19,6 @@ fn main() -> ! {
     // SAFETY: nothing else names it, and this runs once.
     let scene = unsafe { &mut *scene };
     let mut table = Table::start();
-    solids::rows(&mut table);
     scene::rows(&mut table, scene);
     scene::snapshots();
     table.end()

@@ -1,8 +1,10 @@
-//! What planks that move and turn cost: what they do to a circle, a circle that runs on one, and a
-//! ray at them.
+//! Prints the costs of moving solids, and of planks that move and turn: what they do to a circle, a
+//! circle that runs on one, and a ray at them.
 
 #![no_std]
 #![no_main]
+
+mod solids;
 
 use core::mem::MaybeUninit;
 use tilesat::motion::{MoveError, Moved, Mover, Ridden, Ride};
@@ -90,6 +92,7 @@ fn rows(table: &mut Table, map: TileMap<'static>) {
 #[entry]
 fn main() -> ! {
     let mut table = Table::start();
+    solids::rows(&mut table);
     let grid = Grid::new(SIDE as u16, SIDE as u16, Fx::from_bits(CELL * UNIT), Vec2::ZERO);
     match grid.ok().and_then(|grid| TileMap::<'static>::on_grid(&OPEN, grid, &KINDS).ok()) {
         Some(map) => rows(&mut table, map),
