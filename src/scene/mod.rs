@@ -53,9 +53,10 @@
 //!    each counts for 1/n.
 //! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity. Its
 //!    surface decides how it bounces off the level. A body that meets the level at no more than the
-//!    gravity of two steps does not bounce: it would jitter there. A body that lies on something or
-//!    is wedged loses velocity, too, as far as the push leads against it. Every new position passes
-//!    the level's exact overlap test.
+//!    gravity of two steps does not bounce: it would jitter there. A body that lies on something
+//!    loses velocity along gravity, too, as far as the push leads against it. So does one that
+//!    others wedge, but not along a floor on which it stands. Every new position passes the level's
+//!    exact overlap test.
 //! 4. Bodies that lie on others are moved after them, from the lowest up. In the same step they are
 //!    pushed out of bodies that are carried.
 //! 5. Fast bodies are moved last, from one hit to the next.

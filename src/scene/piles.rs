@@ -199,10 +199,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             if let Some(rest) = rest_mut(self.memory, handle.slot()) {
                 rest.stays = false;
             }
-            let from = slot.body.shape.position();
             slot.body.shape = self.trip.slide(handle, &slot.body, push)?;
-            let (made, ground) = (slot.body.shape.position() - from, slot.ground_velocity(self.slots));
-            slot.body.velocity = Pressed::of(slot, ground).left(slot.body.velocity, made, gravity);
+            let pressed = Pressed::of(slot, slot.ground_velocity(self.slots));
+            slot.body.velocity = pressed.left(slot.body.velocity, gravity);
         }
         let bounds = slot.body.shape.aabb();
         if self.near.bounds(handle).is_ok_and(|known| known != bounds) {

@@ -5,9 +5,11 @@
 //! would never rest. So a body that cannot yield loses velocity, too: as much as the push leads
 //! against it. No component grows by that or changes its sign, so neither does the energy grow.
 //!
-//! A body that yields keeps its velocity. So two that meet keep their momentum.
+//! A body that yields keeps its velocity. So two that meet keep their momentum, on a floor and in
+//! the wind, too. So does a row on a floor: it is as free across gravity as one body. If such rows
+//! lost velocity, nothing could push a heap aside.
 
-use super::body::{ALOFT, Slot};
+use super::body::{ALOFT, NOBODY, Slot};
 use crate::num::{Raw, Vec2};
 
 /// The pushes on a body, and what holds it.
@@ -18,38 +20,38 @@ pub(super) struct Pressed {
     high: Vec2,
     /// Something carries it, so it does not yield along gravity.
     lies: bool,
+    /// The level or a fixed body carries it, so it is free across gravity.
+    stands: bool,
     /// The velocity of what carries all below it.
     ground: Vec2,
 }
 
 impl Pressed {
     pub(super) fn of<S>(slot: &Slot<S>, ground: Vec2) -> Self {
-        Self { low: slot.tally.low, high: slot.tally.high, lies: slot.support != ALOFT, ground }
+        let stands = slot.support == 0 || (slot.support == 1 && slot.ground != NOBODY);
+        Self { low: slot.tally.low, high: slot.tally.high, lies: slot.support != ALOFT, stands, ground }
     }
 
     pub(super) fn push(&self) -> Vec2 {
         self.low + self.high
     }
 
-    /// Whether others push from opposite sides, or the level has not let it make all of its push.
-    fn is_wedged(&self, made: Vec2) -> bool {
-        let (low, high) = (Raw::of(self.low), Raw::of(self.high));
-        (low.x != 0 && high.x != 0) || (low.y != 0 && high.y != 0) || made != self.push()
-    }
-
-    /// The velocity that is left after the body has made a part of its push, relative to what
-    /// carries it.
-    pub(super) fn left(&self, velocity: Vec2, made: Vec2, gravity: Vec2) -> Vec2 {
-        let wedged = self.is_wedged(made);
-        if gravity == Vec2::ZERO || !(wedged || self.lies) {
+    /// The velocity that is left after the body's motion, relative to what carries it.
+    pub(super) fn left(&self, velocity: Vec2, gravity: Vec2) -> Vec2 {
+        if gravity == Vec2::ZERO {
             return velocity;
         }
         let (low, high, g) = (Raw::of(self.low), Raw::of(self.high), Raw::of(gravity));
         let ground = Raw::of(self.ground);
         let v = Raw::of(velocity).sub(ground);
-        let x = if wedged || g.x != 0 { held(v.x, low.x, high.x) } else { v.x };
-        let y = if wedged || g.y != 0 { held(v.y, low.y, high.y) } else { v.y };
-        Raw { x, y }.add(ground).vec2()
+        let main = g.x.unsigned_abs().max(g.y.unsigned_abs());
+        let one = |v: i32, low: i32, high: i32, g: i32| {
+            let lies = self.lies && g.unsigned_abs() == main;
+            // In the wind, a row at a wall cannot yield either.
+            let wedged = low != 0 && high != 0 && (g != 0 || !self.stands);
+            if lies || wedged { held(v, low, high) } else { v }
+        };
+        Raw { x: one(v.x, low.x, high.x, g.x), y: one(v.y, low.y, high.y, g.y) }.add(ground).vec2()
     }
 }
 

@@ -212,7 +212,7 @@ impl<V> Trip<'_, V> {
         let by = moved.position() - body.position();
         go(slot, handle, by, near)?;
         slot.block(blocked, by);
-        let left = pressed.left(moved.velocity, start.position() - body.position(), self.gravity);
+        let left = pressed.left(moved.velocity, self.gravity);
         if !memory.is_empty() {
             let (at, made) = (handle.slot(), Made::of(causes, moved, (left, blocked)));
             keep(memory, at, made.as_ref().map(|made| Rest::of(made, start_of, by)));

@@ -96,3 +96,85 @@ fn two_that_yield_keep_their_momentum() {
         }
     }
 }
+
+/// The sum of the velocities along a floor of a row of balls with gaps, of which the first moves.
+fn row(radii: &[Fx], speed: Fx, platform: Option<Fx>, gravity: Vec2, steps: i32) -> Fx {
+    let rows = "................................................\n".repeat(4) + &"#".repeat(48);
+    let map = TileMap::from_ascii(&rows, &KINDS).unwrap();
+    let mut scene = Heap::new(SortSweep::new());
+    if let Some(v) = platform {
+        let bounds = Aabb::new(Vec2::from_ints(0, 40), Vec2::from_ints(700, 50)).unwrap();
+        let velocity = Vec2::new(v, Fx::ZERO);
+        scene.insert(&SceneBody { velocity, ..SceneBody::fixed(bounds, 99) }).unwrap();
+    }
+    let floor = if platform.is_some() { fx!(40) } else { fx!(64) };
+    let bodies: Vec<_> = (0..)
+        .zip(radii)
+        .map(|(k, &r)| {
+            let ball = Circle::new(Vec2::new(fx!(40) + fx!(20) * k, floor - r), r).unwrap();
+            let velocity = if k == 0 { Vec2::new(speed, Fx::ZERO) } else { Vec2::ZERO };
+            scene.insert(&SceneBody { velocity, ..SceneBody::new(ball, k as u32) }).unwrap()
+        })
+        .collect();
+    for _ in 0..steps {
+        for handle in &bodies {
+            scene.wake(*handle).unwrap();
+        }
+        scene.step(&map, gravity, |_| {}).unwrap();
+    }
+    bodies.iter().map(|at| scene.body(*at).unwrap().velocity.x).sum()
+}
+
+/// Balls of two sizes push each other into the floor and up. Along the floor they are free. In a
+/// row some are lifted off the floor for a step, and wedged there.
+#[test]
+fn rows_keep_their_momentum_along_a_floor() {
+    for radii in [[fx!(5), fx!(5)], [fx!(5), fx!(4)], [fx!(4), fx!(5)], [fx!(7), fx!(5)], [fx!(3), fx!(6)]] {
+        for speed in [fx!(0.5), fx!(1), fx!(2), fx!(3)] {
+            for count in [2, 3, 6] {
+                for platform in [None, Some(fx!(0)), Some(fx!(1))] {
+                    let all: Vec<Fx> = radii.into_iter().cycle().take(count).collect();
+                    let sum = row(&all, speed, platform, Vec2::new(Fx::ZERO, fx!(0.2)), 150);
+                    let most = if count == 2 || radii[0] == radii[1] { fx!(0.001) } else { speed / 2 };
+                    assert!((sum - speed).abs() < most, "{radii:?} {speed} {count} {platform:?}: {sum}");
+                }
+            }
+        }
+    }
+}
+
+/// Wind adds the same to both.
+#[test]
+fn two_keep_their_momentum_in_the_wind() {
+    for wind in [fx!(-0.01), fx!(0.01), fx!(0.05), fx!(0.15)] {
+        for speed in [fx!(1), fx!(3)] {
+            let sum = row(&[fx!(5); 2], speed, None, Vec2::new(wind, fx!(0.2)), 40);
+            assert_eq!(sum, speed + wind * 80, "{wind} {speed}");
+        }
+    }
+}
+
+/// A hero who weighs as much as one ball walks through a pit of 30.
+#[test]
+fn a_heap_can_be_pushed_aside() {
+    let rows = "#..............................#\n".repeat(13) + &"#".repeat(32);
+    let map = TileMap::from_ascii(&rows, &KINDS).unwrap();
+    for floats in [false, true] {
+        for speed in [fx!(1), fx!(3)] {
+            let mut scene = Heap::new(SortSweep::new());
+            for k in 0..30_i32 {
+                let center = Vec2::new(fx!(60) + fx!(17.5) * (k % 24), fx!(199) - fx!(17) * (k / 24));
+                scene.insert(&SceneBody::new(Circle::new(center, fx!(8)).unwrap(), k as u32)).unwrap();
+            }
+            let hero = Aabb::new(Vec2::from_ints(20, 188), Vec2::from_ints(30, 208)).unwrap();
+            let hero = scene.insert(&SceneBody { floats, ..SceneBody::new(hero, 99) }).unwrap();
+            for _ in 0..250 {
+                let y = scene.body(hero).unwrap().velocity.y;
+                scene.set_velocity(hero, Vec2::new(speed, y)).unwrap();
+                scene.step(&map, Vec2::new(Fx::ZERO, fx!(0.2)), |_| {}).unwrap();
+            }
+            let way = scene.body(hero).unwrap().shape.position().x - fx!(25);
+            assert!(way > speed * 90, "{floats} {speed}: {way} of {}", speed * 250);
+        }
+    }
+}
