@@ -155,7 +155,7 @@
 //!   units between two fixed bodies, or another ball in a narrow bin. Flag it as `fast`: it then
 //!   stays where it meets them.
 //! - **Large heaps may keep moving**: of balls without friction, none of 180 heaps of 8 to 24, and
-//!   a tenth of those of 60. Balls among boxes swing longer.
+//!   an eighth of those of 60. Balls among boxes swing longer.
 //! - **A fast body on a fixed one** that the game [places](Scene::place) may be behind by what
 //!   gravity adds in a step.
 //! - **A body bounces for ever** if its restitution is above one half and its
