@@ -69,16 +69,19 @@ impl Sets {
             ));
         }
         let index = self.index(set, folder, files)?;
-        match self.first.insert(first, index) {
-            None => Ok(()),
-            Some(other) => {
-                let names = (&self.all[other].name, &self.all[index].name);
-                Err(format!(
-                    "two tilesets begin at tile {first}: '{}' and '{}'; save the map again in Tiled",
-                    names.0, names.1
-                ))
-            }
+        // As in Tiled, which then writes other numbers.
+        if let Some(other) = self.first.insert(first, index) {
+            let names = (&self.all[other].name, &self.all[index].name);
+            self.warnings.push((
+                format!("tileset '{}'", names.0),
+                format!(
+                    "it begins at tile {first}, as tileset '{}' after it, which has these tiles, as in Tiled; save the map \
+                     again in Tiled",
+                    names.1
+                ),
+            ));
         }
+        Ok(())
     }
 
     /// The tileset's number. A tileset file is read only once.
