@@ -29,8 +29,11 @@ A tile is solid by the first of these rules that applies:
   c  its layer has a name, class or true property with the word collision, collider,
      collide, collidable, solid, blocked or blocking: every tile drawn there is full;
      with the words one way: every tile drawn there is one-way from above
-  d  if no rule above makes anything solid: its layer is named wall, ground, terrain,
-     platform, block or obstacle; if still nothing is: floor or boundary. Values of an
+  d  if no rule above makes anything solid: its class or a true property has a word of c
+     or is impassable, or its property walkable or passable is false; if still nothing is
+     solid: its layer is named wall, ground, terrain, platform, block or obstacle; if
+     still nothing is: floor or boundary. Ground that is nearly everywhere, and on which
+     such walls stand, is not solid, nor are tiles that are walkable. Values of an
      LDtk IntGrid follow these words too, also dirt, stone, rock, brick, earth, and
      names of shapes, with flags: SlopeTopLeft_Ice. Values without an identifier
      follow the rules c and d of their layer. If nothing is solid so far, named values

@@ -25,6 +25,16 @@ impl Value {
         digits.trim().parse().is_ok_and(|v: f64| v.is_finite() && v != 0.0)
     }
 
+    /// Whether it is false, also as text or as the number 0.
+    pub(crate) fn is_false(&self) -> bool {
+        match self {
+            Self::Bool(is) => !is,
+            Self::Number(text) => text == "0",
+            Self::Text(text) => text == "0" || text.eq_ignore_ascii_case("false"),
+            Self::Object(_) | Self::Lost(_) => false,
+        }
+    }
+
     /// Whether it is true. Old versions of Tiled had no types and wrote the word.
     pub(crate) fn is_true(&self) -> bool {
         match self {

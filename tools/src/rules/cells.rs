@@ -36,7 +36,7 @@ pub(super) struct Sheet<'a> {
 
 /// A grid in pixels of the map: the first corner of its cells, and their size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-struct Lattice {
+pub(super) struct Lattice {
     tile: u16,
     /// In raw units, below a cell.
     phase: (i64, i64),
@@ -66,7 +66,7 @@ pub(super) struct Placed {
 }
 
 impl Lattice {
-    fn of(sheet: &Sheet<'_>) -> Self {
+    pub(super) fn of(sheet: &Sheet<'_>) -> Self {
         let side = i64::from(sheet.tiles.tile) << 16;
         let phase = |offset: Decimal| Unit::new(None).raw(offset).0.rem_euclid(side);
         Self { tile: sheet.tiles.tile, phase: (phase(sheet.layer.offset.0), phase(sheet.layer.offset.1)) }

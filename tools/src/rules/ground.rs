@@ -11,8 +11,10 @@
 //! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
 //!    collision, collider, collide, collidable, solid, blocked or blocking, or with the words one
 //!    way.
-//! 5. `d`: if nothing of the map is solid so far, and its layer has a name with the word wall,
-//!    ground, terrain, platform, block or obstacle. If still nothing is solid: floor or boundary.
+//! 5. `d`: if nothing of the map is solid so far, and its class or a true property has a word of
+//!    `c` or is impassable, or its property `walkable` or `passable` is false. If still nothing is
+//!    solid: its layer has a name with the word wall, ground, terrain, platform, block or obstacle.
+//!    If still nothing is: floor or boundary. Ground that walls stand on is not solid.
 //!    For values of `LDtk` the words are the same, and dirt, stone, rock, brick and earth. Values
 //!    without an identifier follow the rules `c` and `d` of their layers.
 
@@ -29,7 +31,7 @@ use super::outline::{LeftOut, Outline};
 use super::piece::Piece;
 use super::place::{self, Unit};
 use super::report::Applied;
-use super::{doubts, guess, nothing, objects, paths, unread, unused};
+use super::{doubts, guess, nothing, objects, paths, stood_on, unread, unused};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
@@ -130,8 +132,13 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     doubts.extend(unread::tilesets(map, &sheets)?);
     let (mut outlines, mut left_out) = layers.objects(None)?;
     let empty = |piece: &Piece| *piece == Piece::Shape(TileShape::Empty);
+    let hollow = |sheets: &[Sheet<'_>]| sheets.iter().all(|sheet| sheet.pieces.values().all(empty));
+    if outlines.is_empty() && hollow(&sheets) {
+        layers.guess_by_tiles(&mut sheets);
+        layers.stood_on = stood_on::layers(map, &sheets, &layers.all);
+    }
     for list in guess::STEPS {
-        if !outlines.is_empty() || !sheets.iter().all(|sheet| sheet.pieces.values().all(empty)) {
+        if !outlines.is_empty() || !hollow(&sheets) {
             layers.passed_over(&sheets, list);
             break;
         }
@@ -162,6 +169,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     } else {
         layers.undecided(&sheets);
         layers.forgotten(&sheets);
+        layers.crowded(&sheets, &cells);
     }
     let classes = left_out.iter().map(|object| object.class.as_str());
     doubts.extend(map.warnings.iter().map(|(who, what)| Doubt { who: who.clone(), what: what.clone(), why: READ }));

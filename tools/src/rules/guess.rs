@@ -6,6 +6,7 @@ use tilesat::TileShape;
 
 use super::cells::Sheet;
 use super::layers::Layers;
+use super::marked;
 use super::options::Options;
 use super::report::Rule;
 use super::verdict::{self, Solid};
@@ -65,6 +66,15 @@ impl Layers<'_> {
         if sheet.tiles.derived || is_skipped(layer, self.options) {
             return;
         }
+        if let Some((_, walls)) = self.stood_on.iter().find(|(ground, _)| std::ptr::eq(*ground, layer)) {
+            if says {
+                self.note(format!(
+                    "GUESS: layer '{0}' is not solid, because layer '{walls}' stands on it; --solid-layer '{0}' makes it solid",
+                    layer.name
+                ));
+            }
+            return;
+        }
         let (mut count, mut values) = (0, Values::of(layer));
         for &(entry, times) in &sheet.used {
             if sheet.pieces.contains_key(&entry) {
@@ -80,7 +90,7 @@ impl Layers<'_> {
                     continue;
                 }
                 values.all.push((*number, name.as_deref()));
-            } else if !says {
+            } else if !says || marked::is_walkable(self.map, entry) {
                 continue;
             }
             count += times;
@@ -158,7 +168,7 @@ impl Layers<'_> {
     }
 
     /// A layer of `LDtk` with tiles over each other is several layers here, of one note.
-    fn note(&mut self, note: String) {
+    pub(super) fn note(&mut self, note: String) {
         if !self.notes.contains(&note) {
             self.notes.push(note);
         }

@@ -39,6 +39,8 @@ pub(super) struct Layers<'a> {
     pub(super) ledger: Ledger,
     pub(super) ignored: Vec<String>,
     pub(super) notes: Vec<String>,
+    /// Ground that walls stand on, and the names of their layers.
+    pub(super) stood_on: Vec<(&'a Layer, &'a str)>,
 }
 
 impl<'a> Layers<'a> {
@@ -64,6 +66,7 @@ impl<'a> Layers<'a> {
             ledger: Ledger::default(),
             ignored: out.iter().map(|layer| format!("layer '{}' (--ignore-layer)", layer.name)).collect(),
             notes: Vec::new(),
+            stood_on: Vec::new(),
         })
     }
 

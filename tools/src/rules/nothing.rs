@@ -22,14 +22,12 @@ pub(super) fn why(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Option<
     }
     // A layer of LDtk with tiles over each other is several sheets.
     let mut tiles: Vec<(&str, usize)> = Vec::new();
-    let mut names: BTreeSet<&str> = BTreeSet::new();
     for sheet in sheets {
         let (name, count) = (sheet.layer.name.as_str(), sheet.tiles.drawn().count());
         match tiles.last_mut().filter(|(last, _)| *last == name) {
             Some((_, all)) => *all += count,
             None => tiles.push((name, count)),
         }
-        names.extend(sheet.flags.values().flatten().map(String::as_str));
     }
     tiles.retain(|(_, count)| *count > 0);
     let (mut objects, mut marks): (Vec<(&str, usize)>, usize) = (Vec::new(), 0);
@@ -55,11 +53,9 @@ pub(super) fn why(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Option<
         let are = if tiles.len() == 1 { "layer is" } else { "layers are" };
         let _ = write!(why, "; the tile {are} {layers}: add --solid-layer {name} if all of it is solid");
     }
-    if let Some(first) = names.first() {
-        let (name, are) = (only(names.len(), first), if names.len() == 1 { "the name" } else { "names" });
-        let is = if names.len() == 1 { "is" } else { "are" };
-        let names: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
-        let _ = write!(why, "; {are} of tiles {is} {}: add --solid {name}", list(&names));
+    if let Some((names, option)) = names_of_tiles(sheets) {
+        let are = if option == "NAME" { "names of tiles are" } else { "the name of tiles is" };
+        let _ = write!(why, "; {are} {names}: add --solid {option}");
     }
     for hint in hints(map) {
         let _ = write!(why, "; {hint}");
@@ -80,6 +76,16 @@ pub(super) fn why(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Option<
     Some(why)
 }
 
+/// The names of tiles that no rule knows, and the one for an option. Tiles that bodies walk on are
+/// the wrong ones.
+pub(super) fn names_of_tiles(sheets: &[Sheet<'_>]) -> Option<(String, String)> {
+    let flags = sheets.iter().flat_map(|sheet| sheet.flags.values().flatten()).map(String::as_str);
+    let names: BTreeSet<&str> = flags.filter(|name| !words::is_walkable(name)).collect();
+    let option = only(names.len(), names.first()?);
+    let names: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
+    Some((list(&names), option))
+}
+
 /// Whether a tile in a layer has collision shapes without an extent only.
 fn only_marks(map: &Map) -> bool {
     let shapes = |placed: &Placed| match placed {
@@ -90,21 +96,14 @@ fn only_marks(map: &Map) -> bool {
     drawn.any(|shapes| !shapes.iter().any(form::has_extent))
 }
 
-/// What tiles in a layer say in a way that is no rule: a rule's word whose value is a text, or that
-/// bodies cannot walk there.
-fn hints(map: &Map) -> BTreeSet<String> {
+/// What tiles in a layer say in a way that is no rule: a rule's word whose value is a text.
+pub(super) fn hints(map: &Map) -> BTreeSet<String> {
     let mut hints = BTreeSet::new();
     for placed in &map.palette {
         let Placed::Tile { tileset, id, .. } = placed else { continue };
         let Some(tile) = map.tilesets[*tileset].tiles.get(id) else { continue };
         for (name, value) in &tile.properties.0 {
-            let is_false = match value {
-                Value::Bool(is) => !is,
-                Value::Number(text) => text == "0",
-                Value::Text(text) => text == "0" || text.eq_ignore_ascii_case("false"),
-                Value::Object(_) | Value::Lost(_) => false,
-            };
-            if let (Value::Text(text), Some(_), false) = (value, traits::shape(name), is_false) {
+            if let (Value::Text(text), Some(_), false) = (value, traits::shape(name), value.is_false()) {
                 let option = if text.is_empty() { String::new() } else { format!(", or add --solid '{name}:{text}'") };
                 hints.insert(format!(
                     "tiles have the property '{name}' = '{text}', a text: make it a bool that is true{option}"
@@ -114,13 +113,6 @@ fn hints(map: &Map) -> BTreeSet<String> {
                     hints.insert(format!("tiles have the property '{name}' = '{text}': add --solid '{name}:{text}'"));
                 }
             }
-            if is_false && ["walkable", "passable"].iter().any(|known| words::same(name, known)) {
-                hints.insert(format!(
-                    "tiles have the property '{name}', which is false: give them a true property 'solid', or add --solid \
-                     '{name}:{}'",
-                    shown(value)
-                ));
-            }
         }
     }
     hints
@@ -128,14 +120,6 @@ fn hints(map: &Map) -> BTreeSet<String> {
 
 /// Properties whose value authors use as a class.
 const MEANINGS: [&str; 4] = ["type", "kind", "class", "collision"];
-
-/// A value of false, as options name it.
-fn shown(value: &Value) -> &str {
-    match value {
-        Value::Number(text) | Value::Text(text) => text,
-        Value::Bool(_) | Value::Object(_) | Value::Lost(_) => "false",
-    }
-}
 
 /// `'Trees' (3 tiles), ..`
 fn counted(layers: &[(&str, usize)], what: &str) -> String {

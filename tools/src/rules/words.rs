@@ -41,6 +41,10 @@ const FREE: &[&str] = &[
     "goal",
     "checkpoint",
 ];
+/// In the name of a tile that bodies walk on.
+const WALKABLE: &[&str] = &["walkable", "passable"];
+/// In the name of one that they do not.
+const BLOCKED: &[&str] = &["impassable", "impassible", "unpassable", "unwalkable"];
 /// They reverse the meaning of a name.
 const NOT: &[&str] = &["no", "non", "not", "without"];
 
@@ -80,6 +84,19 @@ pub(super) fn is_one_way(name: &str) -> bool {
 pub(super) fn is_free(name: &str) -> bool {
     let words = words(name);
     any(&words, FREE) || denies(&words)
+}
+
+/// Whether the name of a tile or of its property says that bodies walk there.
+pub(super) fn is_walkable(name: &str) -> bool {
+    has(name, WALKABLE)
+}
+
+/// Whether the name of a tile or of its property says that bodies do not pass, in other words than
+/// those of the rules.
+pub(super) fn is_blocked(name: &str) -> bool {
+    let words = words(name);
+    let walkable = any(&words, WALKABLE);
+    (any(&words, COLLISION) || any(&words, BLOCKED)) && !denies(&words) || walkable && denies(&words)
 }
 
 fn any(words: &[String], list: &[&str]) -> bool {

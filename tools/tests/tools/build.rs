@@ -49,7 +49,7 @@ fn what_was_left_out_is_a_warning() {
     let slip = r#"<object id="5" type="Sollid" x="1" y="1" width="3" height="3"/>"#;
     let loose = |list: &str| map(2, 1, "1,1", list).replace(r#"name="L" class="Solid""#, r#"name="things""#);
     fs::write(levels.join("left out.tmx"), loose(&format!("{far}{bag}{slip}"))).unwrap();
-    let guess = rows(&["##"]).replace(r#"<tile id="0" type="Solid"/>"#, "").replace("World", "Ground");
+    let guess = rows(&["#."]).replace(r#"<tile id="0" type="Solid"/>"#, "").replace("World", "Ground");
     fs::write(levels.join("guess.tmx"), guess).unwrap();
     let folder = build::folder(&levels, &out).unwrap();
     let parts = [

@@ -140,8 +140,11 @@ fn values_of_properties_as_names() {
         + &tile(2, "Height", r#"type="int" value="8""#);
     let start = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
     let text = map(4, 1, "1,2,3,0", "").replace(start, &own);
-    refused("values.tmx", &text, "tiles have the property 'type' = 'wall': add --solid 'type:wall'");
-    refused("values.tmx", &text, "give them a true property 'solid', or add --solid 'passable:false'");
+    refused(
+        "hint.tmx",
+        text.replace("passable", "p"),
+        "tiles have the property 'type' = 'wall': add --solid 'type:wall'",
+    );
     let solid = |options: &str| {
         let read = level("values.tmx", &text, options);
         (read["solid"].as_u64().unwrap(), read["one_way"].as_u64().unwrap())

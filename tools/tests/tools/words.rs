@@ -123,11 +123,6 @@ fn nothing_solid_says_what_to_do() {
             "tiles have the property 'collides' = 'yes', a text: make it a bool that is true",
         ),
         (&plain, property("solid", r#"value="""#), "tiles have the property 'solid' = '', a text"),
-        (
-            &plain,
-            property("Walkable", r#"type="bool" value="false""#),
-            "tiles have the property 'Walkable', which is false: give them a true property 'solid'",
-        ),
     ] {
         let why = cells(layers, &tile, &[]).1;
         assert!(why.contains(part), "{part} is not in {why}");

@@ -1,0 +1,94 @@
+//! A guess by the tiles' own names and properties, if no rule marks a tile or an object. Games have
+//! their own words: `isSolid`, `hasCollision`, `impassable`, or `walkable` that is false. They say
+//! more than the name of a layer.
+
+use tilesat::TileShape;
+
+use super::cells::Sheet;
+use super::guess;
+use super::layers::Layers;
+use super::options::Options;
+use super::report::Rule;
+use super::verdict::Solid;
+use super::words;
+use crate::model::map::{Map, Placed};
+use crate::model::property::Value;
+use crate::model::tileset::Tile;
+
+/// What a tile says of itself: the words for the report, and its name in an option.
+struct Said {
+    what: String,
+    name: String,
+    /// The flag that it no longer has to be.
+    flag: Option<String>,
+}
+
+impl Layers<'_> {
+    /// Makes the undecided tiles full that say so in words that are no rule.
+    pub(super) fn guess_by_tiles(&mut self, sheets: &mut [Sheet<'_>]) {
+        // Values of LDtk have names, and its tiles serve the drawing.
+        if self.map.values {
+            return;
+        }
+        for sheet in sheets {
+            if sheet.tiles.derived || guess::is_skipped(sheet.layer, self.options) {
+                continue;
+            }
+            for (entry, count) in sheet.used.clone() {
+                let tile = tile(self.map, entry).filter(|_| !sheet.pieces.contains_key(&entry));
+                let Some(said) = tile.and_then(|tile| said(tile, self.options)) else { continue };
+                let piece = self.piece(entry, Solid::Shape(TileShape::Full), sheet.tiles.tile);
+                sheet.pieces.insert(entry, piece);
+                if let (Some(name), Some(flags)) = (&said.flag, sheet.flags.get_mut(&entry)) {
+                    flags.retain(|flag| !words::same(flag, name));
+                }
+                self.ledger.add(Rule::D, &format!("tiles with the {} are full", said.what), count);
+                self.note(format!(
+                    "GUESS: nothing marks solid tiles, so those with the {} are full; --solid '{}' confirms it, \
+                     --empty '{}' refuses it",
+                    said.what, said.name, said.name
+                ));
+            }
+        }
+    }
+}
+
+/// Whether a tile says that bodies walk on it, so that the name of its layer does not make it solid.
+pub(super) fn is_walkable(map: &Map, entry: u32) -> bool {
+    let says = |tile: &Tile| tile.properties.marks().chain(tile.properties.ones()).any(words::is_walkable);
+    !map.values && tile(map, entry).is_some_and(says)
+}
+
+fn tile(map: &Map, entry: u32) -> Option<&Tile> {
+    match &map.palette[entry as usize] {
+        Placed::Tile { tileset, id, .. } => map.tilesets[*tileset].tiles.get(id),
+        Placed::Nothing | Placed::Value { .. } => None,
+    }
+}
+
+fn said(tile: &Tile, options: &Options) -> Option<Said> {
+    let is = |name: &str| words::is_blocked(name) && !options.is_flag(name);
+    let class = tile.class.trim();
+    if is(class) {
+        let (what, flag) = (format!("class '{class}'"), Some(class.to_owned()));
+        return Some(Said { what, name: class.to_owned(), flag });
+    }
+    let mut marks = tile.properties.marks().chain(tile.properties.ones());
+    if let Some(name) = marks.find(|name| is(name)) {
+        let (what, flag) = (format!("property '{name}'"), Some(name.to_owned()));
+        return Some(Said { what, name: name.to_owned(), flag });
+    }
+    let mut denied = tile.properties.0.iter().filter(|(name, value)| value.is_false() && words::is_walkable(name));
+    denied.next().map(|(name, value)| {
+        let value = shown(value);
+        Said { what: format!("property '{name}' = '{value}'"), name: format!("{name}:{value}"), flag: None }
+    })
+}
+
+/// A value of false, as options name it.
+fn shown(value: &Value) -> &str {
+    match value {
+        Value::Number(text) | Value::Text(text) => text,
+        Value::Bool(_) | Value::Object(_) | Value::Lost(_) => "false",
+    }
+}

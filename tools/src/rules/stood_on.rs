@@ -1,0 +1,121 @@
+//! Finds the ground of levels that are seen from above: it is nearly everywhere, and walls stand on
+//! it. The name of its layer then does not make it solid, because bodies would have no room.
+
+use std::fmt::Write;
+
+use tilesat::TileShape;
+
+use super::cells::{Cells, Lattice, Sheet};
+use super::form;
+use super::layers::Layers;
+use super::place::Unit;
+use super::report::Rule;
+use super::{nothing, words};
+use crate::model::decimal::Decimal;
+use crate::model::map::{Content, Layer, Map};
+use crate::model::object::{Object, Spot};
+
+/// In the names of layers that bodies walk on, or stand on.
+const UNDER: &[&str] = &["ground", "terrain", "floor"];
+/// In the names of layers that are solid from either point of view.
+const OVER: &[&str] = &["wall", "obstacle", "block", "boundary", "boundaries"];
+
+/// Each layer of ground below a layer of walls, and the name of the latter.
+///
+/// Seen from the side, ground leaves room for the air, and walls stand beside it. So the ground has
+/// to cover three quarters of the cells, and to be under three quarters of the walls.
+pub(super) fn layers<'a>(map: &Map, sheets: &[Sheet<'a>], all: &[&'a Layer]) -> Vec<(&'a Layer, &'a str)> {
+    // Values of LDtk have names.
+    if map.values {
+        return Vec::new();
+    }
+    let ground = sheets.iter().filter(|sheet| {
+        let cells = u64::from(sheet.tiles.width) * u64::from(sheet.tiles.height);
+        is(sheet, UNDER) && !words::has(&sheet.layer.name, OVER) && mostly(drawn(sheet), cells)
+    });
+    let over = |ground: &Sheet<'a>| {
+        let tiles = sheets.iter().filter(|sheet| is(sheet, OVER) && stands(sheet, ground));
+        let objects = all.iter().filter(|layer| match &layer.content {
+            Content::Objects(objects) => words::has(&layer.name, OVER) && stand(objects, layer, ground),
+            Content::Tiles(_) | Content::Image => false,
+        });
+        let found = tiles.map(|sheet| sheet.layer).chain(objects.copied()).next();
+        found.map(|layer| (ground.layer, layer.name.as_str()))
+    };
+    ground.filter_map(over).collect()
+}
+
+impl Layers<'_> {
+    /// Notes that bodies have no room, if only names of layers make the level solid. Writing to a
+    /// string cannot fail.
+    pub(super) fn crowded(&mut self, sheets: &[Sheet<'_>], cells: &Cells) {
+        let guessed = !self.map.values && self.ledger.0.iter().all(|applied| applied.rule == Rule::D);
+        if !guessed || cells.kinds.is_empty() || cells.kinds.iter().any(|kind| kind.shape != TileShape::Full) {
+            return;
+        }
+        let solid = sheets.iter().filter(|sheet| !sheet.pieces.is_empty());
+        // On a tie, the lowest layer.
+        if let Some(sheet) = solid.rev().max_by_key(|sheet| drawn(sheet)) {
+            let name = &sheet.layer.name;
+            let mut note = format!(
+                "GUESS: every cell is solid because of the name of layer '{name}'; if bodies walk on it, add --ignore-layer '{name}'"
+            );
+            if let Some((names, option)) = nothing::names_of_tiles(sheets) {
+                let _ = write!(note, "; if only the tiles {names} are solid, add --solid {option}");
+            }
+            for hint in nothing::hints(self.map) {
+                let _ = write!(note, "; {hint}");
+            }
+            self.note(note);
+        }
+    }
+}
+
+/// Whether nothing but the name of a layer can decide about its tiles, and the name has such a word.
+fn is(sheet: &Sheet<'_>, list: &[&str]) -> bool {
+    let decided = sheet.used.iter().any(|(entry, _)| sheet.pieces.contains_key(entry));
+    !sheet.used.is_empty() && !decided && !sheet.tiles.derived && words::has(&sheet.layer.name, list)
+}
+
+fn drawn(sheet: &Sheet<'_>) -> u64 {
+    sheet.used.iter().map(|(_, count)| count).sum()
+}
+
+fn mostly(part: u64, all: u64) -> bool {
+    part > 0 && part.saturating_mul(4) >= all.saturating_mul(3)
+}
+
+/// Whether the ground has a tile in this column and row of its own.
+fn has(ground: &Sheet<'_>, (x, y): (i64, i64)) -> bool {
+    let tiles = ground.tiles;
+    let (x, y) = (x - i64::from(tiles.at.0), y - i64::from(tiles.at.1));
+    let inside = (0..i64::from(tiles.width)).contains(&x) && (0..i64::from(tiles.height)).contains(&y);
+    inside && tiles.cells.get((y * i64::from(tiles.width) + x) as usize).is_some_and(|cell| *cell != 0)
+}
+
+/// Whether most tiles of a layer are over tiles of the ground.
+fn stands(walls: &Sheet<'_>, ground: &Sheet<'_>) -> bool {
+    if Lattice::of(walls) != Lattice::of(ground) || walls.layer.offset != ground.layer.offset {
+        return false;
+    }
+    let over = walls.tiles.drawn().filter(|(x, y, _)| has(ground, (i64::from(*x), i64::from(*y))));
+    mostly(over.count() as u64, drawn(walls))
+}
+
+/// Whether the middles of most objects are over tiles of the ground.
+fn stand(objects: &[Object], layer: &Layer, ground: &Sheet<'_>) -> bool {
+    let side = i64::from(ground.tiles.tile.max(1)) << 16;
+    let raw = |value| Unit::new(None).raw(value).0;
+    let over = |points: &[Spot]| {
+        let middle = |along: fn(&Spot) -> Decimal, offset: i64| {
+            let all = || points.iter().map(|point| raw(along(point)));
+            let (lo, hi) = (all().min().unwrap_or(0), all().max().unwrap_or(0));
+            (lo + (hi - lo) / 2 + offset).div_euclid(side)
+        };
+        let (of, on) = (layer.offset, ground.layer.offset);
+        has(ground, (middle(|p| p.0, raw(of.0) - raw(on.0)), middle(|p| p.1, raw(of.1) - raw(on.1))))
+    };
+    let forms = objects.iter().filter(|object| form::has_extent(object)).filter_map(form::corners);
+    let found: Vec<bool> = forms.map(|corners| over(&corners.points)).collect();
+    mostly(found.iter().filter(|over| **over).count() as u64, found.len() as u64)
+}

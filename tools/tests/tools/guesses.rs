@@ -1,0 +1,167 @@
+//! Guesses about levels in which no rule marks what is solid: tiles whose own names or properties
+//! say it in other words, and ground that walls stand on.
+
+use crate::support::{Ran, map, scratch, tilesat};
+
+/// A map of 4x3 cells with these layers, tiles and objects.
+fn level(layers: &[(&str, &str)], tiles: &str, objects: &str) -> String {
+    let text = map(4, 3, "", "");
+    let old = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
+    let from = text.find("<layer").unwrap();
+    let layer = |(name, cells): &(&str, &str)| {
+        format!(r#"<layer name="{name}" width="4" height="3"><data encoding="csv">{cells}</data></layer>"#)
+    };
+    let all: String = layers.iter().map(layer).collect();
+    format!("{}{all}{objects}</map>", text[..from].replace(old, tiles))
+}
+
+/// The number of solid cells and segments, the flags and the messages. Or the reason of a refusal.
+fn baked(text: &str, options: &[&str]) -> (String, String) {
+    let file = scratch("guesses", "level.tmx", text);
+    let args = ["bake".to_owned(), file.display().to_string(), "--json".to_owned()];
+    let Ran { status, out, err } = tilesat(args.into_iter().chain(options.iter().map(|&option| option.to_owned())));
+    if status != 0 {
+        return (String::new(), err);
+    }
+    let line: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let list = |name: &str| line[name].as_array().unwrap().iter().map(|text| text.as_str().unwrap().to_owned());
+    let said: Vec<String> = list("warnings").chain(list("notes")).collect();
+    (format!("{} {} {}", line["solid"], line["segments"], line["flags"]), said.join("\n"))
+}
+
+fn property(id: u32, name: &str, rest: &str) -> String {
+    format!(r#"<tile id="{id}"><properties><property name="{name}" {rest}/></properties></tile>"#)
+}
+
+/// Five cells of the tile 0, six of the tile 3, and an empty one.
+const MIXED: &str = "1,1,1,1,4,4,4,1,4,4,4,0";
+const FULL: &str = "1,1,1,1,1,1,1,1,1,1,1,1";
+const AROUND: &str = "4,4,4,4,4,0,0,4,4,4,4,4";
+
+#[test]
+fn tiles_that_say_it_in_other_words() {
+    for name in ["isSolid", "is_solid", "hasCollision", "ge_collide", "impassable", "not_walkable", "isBlocked"] {
+        for layer in ["Map", "Ground"] {
+            let text = level(&[(layer, MIXED)], &property(0, name, r#"type="bool" value="true""#), "");
+            let (found, said) = baked(&text, &[]);
+            assert_eq!(found, "5 0 {}", "{name} {layer}");
+            assert!(
+                said.contains(&format!("with the property '{name}' are full; --solid '{name}' confirms it")),
+                "{said}"
+            );
+            assert_eq!(baked(&text, &["--solid", name]), ("5 0 {}".to_owned(), String::new()), "{name}");
+            let (found, said) = baked(&text, &["--empty", name]);
+            assert!(found.starts_with('6') || layer == "Map" && said.contains("nothing is solid"), "{found} {said}");
+        }
+    }
+    let text = level(&[("Ground", MIXED)], r#"<tile id="0" class="SolidBrick"/>"#, "");
+    assert_eq!(baked(&text, &[]).0, "5 0 {}");
+    for name in ["no_collision", "solidarity", "walkable", "passable", "Kill"] {
+        let text = level(&[("Map", MIXED)], &property(0, name, r#"type="bool" value="true""#), "");
+        assert_eq!(baked(&text, &[]).0, "", "{name}");
+    }
+    // What a rule marks comes first, and a name that is only a flag says nothing.
+    let both = property(0, "isSolid", r#"type="bool" value="true""#) + r#"<tile id="3" class="Wall"/>"#;
+    assert_eq!(baked(&level(&[("Map", MIXED)], &both, ""), &[]).0, r#"6 0 {"isSolid":5}"#);
+    let text = level(&[("Map", MIXED)], &property(0, "isSolid", r#"type="bool" value="true""#), "");
+    assert!(baked(&text, &["--flag", "isSolid"]).1.contains("nothing is solid"));
+}
+
+#[test]
+fn tiles_that_bodies_cannot_walk_on() {
+    for (name, rest, value) in [
+        ("walkable", r#"type="bool" value="false""#, "false"),
+        ("isPassable", r#"type="bool" value="false""#, "false"),
+        ("Passable", r#"value="False""#, "False"),
+        ("walkable", r#"type="int" value="0""#, "0"),
+    ] {
+        let tiles = property(0, name, rest) + &property(3, name, r#"type="bool" value="true""#);
+        for layer in ["Map", "Ground"] {
+            let text = level(&[(layer, MIXED)], &tiles, "");
+            let (found, said) = baked(&text, &[]);
+            assert_eq!(found, format!(r#"5 0 {{"{name}":6}}"#), "{name} {layer}");
+            assert!(said.contains(&format!("--solid '{name}:{value}' confirms it")), "{said}");
+            let option = format!("{name}:{value}");
+            assert_eq!(baked(&text, &["--solid", &option]).1, "", "{option}");
+        }
+    }
+}
+
+/// Ground that bodies can walk on, say its tiles, is not solid. No message says that they are.
+#[test]
+fn tiles_that_bodies_can_walk_on() {
+    let tiles = property(3, "walkable", r#"type="bool" value="true""#);
+    assert_eq!(baked(&level(&[("Ground", MIXED)], &tiles, ""), &[]).0, r#"5 0 {"walkable":6}"#);
+    let why = baked(&level(&[("Map", MIXED)], &tiles, ""), &[]).1;
+    assert!(why.contains("'Map' (11 tiles): add --solid-layer") && !why.contains("add --solid 'walkable'"), "{why}");
+}
+
+/// A map that is seen from above has ground everywhere, and walls on it.
+#[test]
+fn ground_under_walls() {
+    for (ground, walls) in [
+        ("Ground", "Walls"),
+        ("ground", "obstacles"),
+        ("Terrain", "Blocks"),
+        ("Ground", "Boundaries"),
+        ("floor", "boundary"),
+    ] {
+        let text = level(&[(ground, FULL), (walls, AROUND)], "", "");
+        let (found, said) = baked(&text, &[]);
+        assert_eq!(found, "10 0 {}", "{ground} {walls}");
+        let note =
+            format!("layer '{ground}' is not solid, because layer '{walls}' stands on it; --solid-layer '{ground}'");
+        assert!(said.contains(&note) && said.contains(&format!("layer '{walls}' is solid")), "{said}");
+        assert_eq!(baked(&text, &["--solid-layer", walls]).1, "");
+        assert_eq!(baked(&text, &["--solid-layer", ground]).0, "12 0 {}");
+        assert_eq!(baked(&text, &["--ignore-layer", walls]).0, "12 0 {}");
+    }
+    let objects = |name: &str| {
+        format!(
+            r#"<objectgroup id="9" name="{name}"><object id="1" x="16" y="0" width="32" height="16"/></objectgroup>"#
+        )
+    };
+    for name in ["Obstacles", "Blocks", "boundaries"] {
+        let (found, said) = baked(&level(&[("Ground", FULL)], "", &objects(name)), &[]);
+        assert_eq!(found, "0 4 {}", "{name}");
+        assert!(said.contains(&format!("because layer '{name}' stands on it")), "{said}");
+    }
+}
+
+/// Seen from the side, walls stand beside the ground. Then both are solid.
+#[test]
+fn ground_beside_walls() {
+    let much = "1,1,1,1,1,0,0,1,1,1,1,1";
+    for (layers, cells) in [
+        ([("Ground", much), ("Walls", "0,0,0,0,0,4,4,0,0,0,0,0")], 12),
+        ([("Ground", "0,0,0,0,0,0,0,0,1,1,1,1"), ("Walls", "0,0,0,0,0,0,0,0,4,0,0,4")], 4),
+        ([("Ground", much), ("Platforms", "4,0,0,0,0,0,0,0,0,0,0,0")], 10),
+        ([("Walls", FULL), ("Blocks", AROUND)], 12),
+    ] {
+        assert_eq!(baked(&level(&layers, "", ""), &[]).0, format!("{cells} 0 {{}}"), "{layers:?}");
+    }
+}
+
+/// Bodies have no room in a level that is all ground.
+#[test]
+fn nothing_but_ground() {
+    let warning =
+        "every cell is solid because of the name of layer 'Ground'; if bodies walk on it, add --ignore-layer 'Ground'";
+    let text = level(&[("Ground", FULL), ("Trees", AROUND)], "", "");
+    let (found, said) = baked(&text, &[]);
+    assert!(found == "12 0 {}" && said.contains(warning), "{found} {said}");
+    let remedy = ["--ignore-layer", "Ground", "--solid-layer", "Trees"];
+    assert_eq!(baked(&text, &remedy), ("10 0 {}".to_owned(), String::new()));
+    for options in [["--solid-layer", "Ground"], ["--solid-layer", "Trees"]] {
+        assert!(!baked(&text, &options).1.contains("every cell"));
+    }
+    assert!(!baked(&level(&[("Ground", MIXED)], "", ""), &[]).1.contains("every cell"));
+    // Tiles have names, and one of them is that of the solid ones.
+    let named = |tiles: &str| level(&[("Ground", AROUND.replace('0', "1").as_str())], tiles, "");
+    let text = named(&property(3, "obstacle", r#"type="bool" value="true""#));
+    let said = baked(&text, &[]).1;
+    assert!(said.contains("; if only the tiles 'obstacle' are solid, add --solid 'obstacle'"), "{said}");
+    assert_eq!(baked(&text, &["--solid", "obstacle"]), ("10 0 {}".to_owned(), String::new()));
+    let said = baked(&named(&property(3, "type", r#"value="wall""#)), &[]).1;
+    assert!(said.contains("; tiles have the property 'type' = 'wall': add --solid 'type:wall'"), "{said}");
+}
