@@ -32,8 +32,9 @@ A tile is solid by the first of these rules that applies:
   d  if no rule above makes anything solid: its class or a true property has a word of c
      or is impassable, or its property walkable or passable is false; if still nothing is
      solid: its layer is named wall, ground, terrain, platform, block or obstacle; if
-     still nothing is: floor or boundary. Ground that is nearly everywhere, and on which
-     such walls stand, is not solid, nor are tiles that are walkable. Values of an
+     still nothing is: floor, boundary or barrier. Ground that is nearly everywhere, and
+     on which such walls stand, is not solid, nor are tiles that are walkable, or whose
+     property solid or collides is false. Values of an
      LDtk IntGrid follow these words too, also dirt, stone, rock, brick, earth, and
      names of shapes, with flags: SlopeTopLeft_Ice. Values without an identifier
      follow the rules c and d of their layer. If nothing is solid so far, named values
@@ -61,7 +62,8 @@ tilesat.toml beside the level sets the same for all levels there: solid = [\"Gra
 one-way, empty, flag, solid-layer, one-way-layer, ignore-layer, objects, ignore-level (lists),
 scale = \"1/2\", weld = \"0.25\".
 Objects are solid if --objects, their class, a true property, their name or their
-layer (rule c) says so: rectangles, polygons, ellipses; polylines are walls. A class or
+layer (rule c) says so: rectangles, polygons, ellipses; polylines are walls. One whose
+property solid or collides is false is not solid because of its layer. A class or
 the property kind chooses solid, hole, wall (a chain that blocks from both sides) or
 one-way (a chain that blocks from its left: draw floors to the right).
 ";

@@ -14,7 +14,7 @@
 //! 5. `d`: if nothing of the map is solid so far, and its class or a true property has a word of
 //!    `c` or is impassable, or its property `walkable` or `passable` is false. If still nothing is
 //!    solid: its layer has a name with the word wall, ground, terrain, platform, block or obstacle.
-//!    If still nothing is: floor or boundary. Ground that walls stand on is not solid.
+//!    If still nothing is: floor, boundary or barrier. Ground that walls stand on is not solid.
 //!    For values of `LDtk` the words are the same, and dirt, stone, rock, brick and earth. Values
 //!    without an identifier follow the rules `c` and `d` of their layers.
 

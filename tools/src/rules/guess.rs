@@ -90,7 +90,7 @@ impl Layers<'_> {
                     continue;
                 }
                 values.all.push((*number, name.as_deref()));
-            } else if !says || marked::is_walkable(self.map, entry) {
+            } else if !says || marked::is_free(self.map, entry) {
                 continue;
             }
             count += times;

@@ -10,9 +10,9 @@ use super::layers::Layers;
 use super::options::Options;
 use super::report::Rule;
 use super::verdict::Solid;
-use super::words;
+use super::{traits, words};
 use crate::model::map::{Map, Placed};
-use crate::model::property::Value;
+use crate::model::property::{Properties, Value};
 use crate::model::tileset::Tile;
 
 /// What a tile says of itself: the words for the report, and its name in an option.
@@ -53,10 +53,20 @@ impl Layers<'_> {
     }
 }
 
-/// Whether a tile says that bodies walk on it, so that the name of its layer does not make it solid.
-pub(super) fn is_walkable(map: &Map, entry: u32) -> bool {
-    let says = |tile: &Tile| tile.properties.marks().chain(tile.properties.ones()).any(words::is_walkable);
+/// Whether a tile says that bodies pass, so that the name of its layer does not make it solid.
+pub(super) fn is_free(map: &Map, entry: u32) -> bool {
+    let says = |tile: &Tile| {
+        let walkable = tile.properties.marks().chain(tile.properties.ones()).any(words::is_walkable);
+        walkable || denied(&tile.properties).is_some()
+    };
     !map.values && tile(map, entry).is_some_and(says)
+}
+
+/// The first property that says of its owner that it is not solid: `solid` that is false.
+pub(super) fn denied(properties: &Properties) -> Option<&str> {
+    let solid = |name: &str| words::is_blocked(name) || traits::shape(name) == Some(TileShape::Full);
+    let mut all = properties.0.iter().filter(|(name, value)| value.is_false() && solid(name));
+    all.next().map(|(name, _)| name.as_str())
 }
 
 fn tile(map: &Map, entry: u32) -> Option<&Tile> {
@@ -78,8 +88,8 @@ fn said(tile: &Tile, options: &Options) -> Option<Said> {
         let (what, flag) = (format!("property '{name}'"), Some(name.to_owned()));
         return Some(Said { what, name: name.to_owned(), flag });
     }
-    let mut denied = tile.properties.0.iter().filter(|(name, value)| value.is_false() && words::is_walkable(name));
-    denied.next().map(|(name, value)| {
+    let mut blocked = tile.properties.0.iter().filter(|(name, value)| value.is_false() && words::is_walkable(name));
+    blocked.next().map(|(name, value)| {
         let value = shown(value);
         Said { what: format!("property '{name}' = '{value}'"), name: format!("{name}:{value}"), flag: None }
     })

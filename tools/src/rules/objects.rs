@@ -2,6 +2,7 @@
 
 use super::form::{self, Corners};
 use super::kind::Kind;
+use super::marked;
 use super::options::{Options, listed};
 use super::outline::{LeftOut, Outline, Title};
 use super::piece::{self, Path};
@@ -28,7 +29,6 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     if listed(&options.one_way_layers, &layer.name) {
         return Says::Kind(Kind::OneWay);
     }
-    let by_option = listed(&options.objects, &layer.name) || listed(&options.solid_layers, &layer.name);
     if let Some(kind) = Kind::from_name(&layer.class).filter(|kind| *kind != Kind::Solid) {
         return Says::Kind(kind);
     }
@@ -40,7 +40,13 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     }
     let around = layer.groups.iter().map(String::as_str);
     let says = |name: &str| words::has(name, COLLISION) || traits::shape(name) == Some(TileShape::Full);
-    if by_option || own.iter().copied().chain(around).any(says) { Says::Solid } else { Says::Nothing }
+    if by_option(layer, options) || own.iter().copied().chain(around).any(says) { Says::Solid } else { Says::Nothing }
+}
+
+/// Whether the user says that the objects of a layer are solid.
+fn by_option(layer: &Layer, options: &Options) -> bool {
+    let lists = [&options.objects, &options.solid_layers, &options.one_way_layers];
+    lists.into_iter().any(|list| listed(list, &layer.name))
 }
 
 /// The outlines of an object, or the reason that there is none. With each, how far it lies within a
@@ -92,14 +98,18 @@ pub(super) fn outlines(
     };
     let is_tile = matches!(object.form, Form::Tile(_));
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
-    let kind = match kind(object, says, options)? {
+    // What an object says of itself counts more than its layer, and less than the user.
+    let denied = marked::denied(&object.properties).filter(|_| !by_option(layer, options));
+    let kind = match kind(object, if denied.is_some() { Says::Nothing } else { says }, options)? {
         // A tile has an inside.
         Some(Kind::Wall) if is_tile => Kind::Solid,
         Some(kind) if !is_tile || !flat => kind,
         _ if is_tile => return left_out(of_tile(shapes.len(), &layer.name)),
         _ => {
             let class = if object.class.is_empty() { &layer.class } else { &object.class };
-            let why = if class.is_empty() {
+            let why = if let (Some(name), Says::Kind(_) | Says::Solid) = (denied, says) {
+                format!("its property '{name}' is false")
+            } else if class.is_empty() {
                 "nothing says that it is solid".to_owned()
             } else {
                 format!("its class '{class}' is for the game")

@@ -18,7 +18,7 @@ use crate::model::object::{Object, Spot};
 /// In the names of layers that bodies walk on, or stand on.
 const UNDER: &[&str] = &["ground", "terrain", "floor"];
 /// In the names of layers that are solid from either point of view.
-const OVER: &[&str] = &["wall", "obstacle", "block", "boundary", "boundaries"];
+const OVER: &[&str] = &["wall", "obstacle", "block", "boundary", "boundaries", "barrier"];
 
 /// Each layer of ground below a layer of walls, and the name of the latter.
 ///
@@ -71,7 +71,7 @@ impl Layers<'_> {
     }
 }
 
-/// Whether nothing but the name of a layer can decide about its tiles, and the name has such a word.
+/// Whether only the name of a layer can decide about its tiles, and the name has such a word.
 fn is(sheet: &Sheet<'_>, list: &[&str]) -> bool {
     let decided = sheet.used.iter().any(|(entry, _)| sheet.pieces.contains_key(entry));
     !sheet.used.is_empty() && !decided && !sheet.tiles.derived && words::has(&sheet.layer.name, list)

@@ -7,7 +7,7 @@ pub(super) const COLLISION: &[&str] =
 pub(super) const GUESS: &[&str] = &["wall", "ground", "terrain", "platform", "block", "obstacle"];
 /// In the name of a layer or a value, if not even those do. Seen from above, bodies walk on a
 /// floor.
-pub(super) const LAST: &[&str] = &["floor", "boundary", "boundaries"];
+pub(super) const LAST: &[&str] = &["floor", "boundary", "boundaries", "barrier"];
 /// In the name of a value of `LDtk`.
 pub(super) const VALUE: &[&str] =
     &["wall", "ground", "terrain", "platform", "block", "obstacle", "dirt", "stone", "rock", "brick", "earth"];

@@ -104,6 +104,7 @@ fn ground_under_walls() {
         ("ground", "obstacles"),
         ("Terrain", "Blocks"),
         ("Ground", "Boundaries"),
+        ("floor", "barriers"),
         ("floor", "boundary"),
     ] {
         let text = level(&[(ground, FULL), (walls, AROUND)], "", "");
@@ -164,4 +165,41 @@ fn nothing_but_ground() {
     assert_eq!(baked(&text, &["--solid", "obstacle"]), ("10 0 {}".to_owned(), String::new()));
     let said = baked(&named(&property(3, "type", r#"value="wall""#)), &[]).1;
     assert!(said.contains("; tiles have the property 'type' = 'wall': add --solid 'type:wall'"), "{said}");
+}
+
+/// What a tile or an object says of itself counts more than the name of its layer.
+#[test]
+fn what_is_not_solid_in_a_solid_layer() {
+    for (name, rest) in
+        [("solid", r#"type="bool" value="false""#), ("isSolid", r#"value="0""#), ("collides", r#"value="false""#)]
+    {
+        let text = level(&[("Ground", MIXED)], &property(3, name, rest), "");
+        assert_eq!(baked(&text, &[]).0, "5 0 {}", "{name}");
+        let object = |id: u32, properties: &str| {
+            format!(r#"<object id="{id}" x="0" y="{}" width="16" height="16">{properties}</object>"#, (id - 1) * 32)
+        };
+        let own = format!(r#"<properties><property name="{name}" {rest}/></properties>"#);
+        let objects = |layer: &str| {
+            format!(r#"<objectgroup id="9" name="{layer}">{}{}</objectgroup>"#, object(1, ""), object(2, &own))
+        };
+        for layer in ["Collision", "Obstacles"] {
+            assert_eq!(baked(&level(&[], "", &objects(layer)), &[]).0, "0 4 {}", "{name} {layer}");
+        }
+        // The user has the last word.
+        assert_eq!(baked(&level(&[], "", &objects("Things")), &["--objects", "Things"]).0, "0 8 {}", "{name}");
+        // Its class says the contrary, and comes first.
+        let both = objects("Collision").replace(r#"<object id="2""#, r#"<object id="2" class="Solid""#);
+        assert_eq!(baked(&level(&[], "", &both), &[]).0, "0 8 {}", "{name}");
+    }
+    let file = scratch(
+        "guesses",
+        "left.tmx",
+        level(
+            &[],
+            "",
+            r#"<objectgroup id="9" name="Collision"><object id="1" x="0" y="0" width="9" height="9"/><object id="2" x="0" y="0" width="9" height="9"><properties><property name="solid" type="bool" value="false"/></properties></object></objectgroup>"#,
+        ),
+    );
+    let ran = tilesat(["bake".to_owned(), file.display().to_string(), "--json".to_owned()]);
+    assert!(ran.out.contains("object 2 of layer 'Collision': its property 'solid' is false"), "{ran:?}");
 }
