@@ -20,6 +20,9 @@ const UNDER: &[&str] = &["ground", "terrain", "floor"];
 /// In the names of layers that are solid from either point of view.
 const OVER: &[&str] = &["wall", "obstacle", "block", "boundary", "boundaries", "barrier"];
 
+/// The most layers of each of them. Games have fewer, and each pair takes time.
+const MOST: usize = 32;
+
 /// Each layer of ground below a layer of walls, and the name of the latter.
 ///
 /// Seen from the side, ground leaves room for the air, and walls stand beside it. So the ground has
@@ -34,15 +37,17 @@ pub(super) fn layers<'a>(map: &Map, sheets: &[Sheet<'a>], all: &[&'a Layer]) -> 
         is(sheet, UNDER) && !words::has(&sheet.layer.name, OVER) && mostly(drawn(sheet), cells)
     });
     let over = |ground: &Sheet<'a>| {
-        let tiles = sheets.iter().filter(|sheet| is(sheet, OVER) && stands(sheet, ground));
-        let objects = all.iter().filter(|layer| match &layer.content {
-            Content::Objects(objects) => words::has(&layer.name, OVER) && stand(objects, layer, ground),
+        let walls = sheets.iter().filter(|sheet| is(sheet, OVER)).take(MOST);
+        let tiles = walls.filter(|sheet| stands(sheet, ground));
+        let objects = all.iter().filter(|layer| layer.tiles().is_none() && words::has(&layer.name, OVER)).take(MOST);
+        let objects = objects.filter(|layer| match &layer.content {
+            Content::Objects(objects) => stand(objects, layer, ground),
             Content::Tiles(_) | Content::Image => false,
         });
         let found = tiles.map(|sheet| sheet.layer).chain(objects.copied()).next();
         found.map(|layer| (ground.layer, layer.name.as_str()))
     };
-    ground.filter_map(over).collect()
+    ground.take(MOST).filter_map(over).collect()
 }
 
 impl Layers<'_> {
