@@ -61,8 +61,9 @@ IntGrid value (its identifier, its number, or LAYER:NUMBER), in any case. A file
 tilesat.toml beside the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
 one-way, empty, flag, solid-layer, one-way-layer, ignore-layer, objects, ignore-level (lists),
 scale = \"1/2\", weld = \"0.25\".
-Objects are solid if --objects, their class, a true property, their name or their
-layer (rule c) says so: rectangles, polygons, ellipses; polylines are walls. One whose
+Objects are solid if --objects, their class, a true property, their name, a property
+type, class or name with such a word as its value, or their layer (rule c) says so:
+rectangles, polygons, ellipses; polylines are walls. One whose
 property solid or collides is false is not solid because of its layer. A class or
 the property kind chooses solid, hole, wall (a chain that blocks from both sides) or
 one-way (a chain that blocks from its left: draw floors to the right).

@@ -175,7 +175,8 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         return Ok(Some(kind));
     }
     let own: Vec<String> = names(object).map(str::to_owned).collect();
-    match options.shape(&own) {
+    let known: Vec<String> = own.iter().cloned().chain(object.properties.valued()).collect();
+    match options.shape(&known) {
         Some((_, TileShape::Empty)) => return Ok(None),
         Some((_, shape)) => return Ok(Some(if super::names::is_one_way(shape) { Kind::OneWay } else { by_form })),
         None => {}
@@ -202,7 +203,8 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         return Err(format!("{whose} is both {a} and {b}: remove its {} or its {}", of(first), of(last)));
     }
     let by_name = || Kind::from_name(&object.name).map(|kind| if is_barrier(kind) { by_form } else { kind });
-    let kind = kinds.first().map(|(kind, _)| *kind).or_else(by_name).or(match says {
+    let written = || written(object).map(|kind| if is_barrier(kind) { by_form } else { kind });
+    let kind = kinds.first().map(|(kind, _)| *kind).or_else(by_name).or_else(written).or(match says {
         Says::Kind(kind) => Some(kind),
         Says::Solid => Some(by_form),
         Says::Nothing => None,
@@ -215,6 +217,14 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         ));
     }
     Ok(kind)
+}
+
+/// The kind that a property with a class or a name in it gives: some engines read properties only.
+/// Other words than those of barriers mean something else in many games, such as golf.
+fn written(object: &Object) -> Option<Kind> {
+    let values = ["type", "class", "name"].into_iter().filter_map(|name| object.properties.text(name));
+    let kinds = values.filter_map(|value| Kind::from_name(&value));
+    kinds.into_iter().find(|kind| *kind != Kind::Hole)
 }
 
 /// A note about values of the property `kind` that are no kinds of solids.

@@ -7,7 +7,7 @@ use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::kind::Kind;
 use tilesat_tools::rules::options::Options;
 
-use crate::support::{objects, scratch};
+use crate::support::{objects, run, scratch};
 
 /// The solid parts of a map. There is a solid tile somewhere.
 fn drawing(name: &str, text: &str) -> Ground {
@@ -264,4 +264,32 @@ fn solid_and_wall_are_synonyms() {
     let why = Ground::of(&levels.maps[0], &Options::default(), &mut Flags::default()).unwrap_err().to_string();
     let fix = "object 1 is both solid and hole: remove its class 'Hole' or its property 'solid'";
     assert!(why.contains(fix), "{why}");
+}
+
+/// Some engines read properties only, so their authors write the class or the name there.
+#[test]
+fn properties_that_name_objects() {
+    let solid = |properties: &str, options: &str| {
+        let list = format!(
+            r#"<object id="1" x="0" y="0" width="16" height="16"><properties>{properties}</properties></object>"#
+        );
+        let text = objects(&list).replace(r#"class="Solid""#, "");
+        let ran = run("bake", scratch("objects", "named.tmx", text), &format!("--json {options}"));
+        if ran.status == 0 { ran.out } else { ran.err }
+    };
+    let property = |name: &str, value: &str| format!(r#"<property name="{name}" value="{value}"/>"#);
+    for (name, value) in [("Name", "Solid"), ("name", "wall"), ("type", "Collision"), ("class", "solids")] {
+        let out = solid(&property(name, value), "");
+        assert!(out.contains(r#""segments":4"#) && out.contains(r#""rule":"a""#), "{name} {value}: {out}");
+    }
+    assert!(solid(&property("type", "OneWay"), "").contains(r#""segments":4"#));
+    for (name, value) in [("name", "hole"), ("type", "Bush"), ("loot", "solid")] {
+        assert!(solid(&property(name, value), "").contains("nothing is solid"), "{name} {value}");
+    }
+    // An option names the value, also of other properties.
+    for (name, value) in [("Name", "Bush"), ("material", "rock")] {
+        let out = solid(&property(name, value), &format!("--solid {name}:{value}"));
+        assert!(out.contains(r#""segments":4"#), "{name} {value}: {out}");
+    }
+    assert!(solid(&property("Name", "Solid"), "--empty name:solid").contains("nothing is solid"));
 }
