@@ -63,7 +63,7 @@ impl Layers<'_> {
     pub(super) fn guess(&mut self, sheet: &mut Sheet<'_>, list: &[&str]) {
         let layer = sheet.layer;
         let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).any(|name| words::has(name, list));
-        if sheet.tiles.derived || is_skipped(layer, self.options) {
+        if sheet.tiles.derived || is_skipped(layer, self.options) || marked::denied(&layer.properties).is_some() {
             return;
         }
         if let Some((_, walls)) = self.stood_on.iter().find(|(ground, _)| std::ptr::eq(*ground, layer)) {

@@ -7,6 +7,7 @@ use tilesat::TileShape;
 use super::cells::Sheet;
 use super::guess;
 use super::likeness::Likeness;
+use super::marked;
 use super::names;
 use super::objects::{self, Says};
 use super::options::{Options, listed};
@@ -180,6 +181,7 @@ impl<'a> Layers<'a> {
             let mut says = objects::layer_says(layer, self.options);
             // Entities of LDtk are for the game.
             let fits = guess.is_some_and(|list| words::has(&layer.name, list));
+            let fits = fits && marked::denied(&layer.properties).is_none();
             let guessed = fits && says == Says::Nothing && !self.map.values;
             if guessed {
                 says = Says::Solid;

@@ -10,7 +10,7 @@ use super::form;
 use super::layers::Layers;
 use super::place::Unit;
 use super::report::Rule;
-use super::{nothing, words};
+use super::{marked, nothing, words};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map};
 use crate::model::object::{Object, Spot};
@@ -39,7 +39,7 @@ pub(super) fn layers<'a>(map: &Map, sheets: &[Sheet<'a>], all: &[&'a Layer]) -> 
     let over = |ground: &Sheet<'a>| {
         let walls = sheets.iter().filter(|sheet| is(sheet, OVER)).take(MOST);
         let tiles = walls.filter(|sheet| stands(sheet, ground));
-        let objects = all.iter().filter(|layer| layer.tiles().is_none() && words::has(&layer.name, OVER)).take(MOST);
+        let objects = all.iter().filter(|layer| layer.tiles().is_none() && named(layer, OVER)).take(MOST);
         let objects = objects.filter(|layer| match &layer.content {
             Content::Objects(objects) => stand(objects, layer, ground),
             Content::Tiles(_) | Content::Image => false,
@@ -76,10 +76,15 @@ impl Layers<'_> {
     }
 }
 
+/// Whether a layer has such a name, and does not deny it.
+fn named(layer: &Layer, list: &[&str]) -> bool {
+    words::has(&layer.name, list) && marked::denied(&layer.properties).is_none()
+}
+
 /// Whether only the name of a layer can decide about its tiles, and the name has such a word.
 fn is(sheet: &Sheet<'_>, list: &[&str]) -> bool {
     let decided = sheet.used.iter().any(|(entry, _)| sheet.pieces.contains_key(entry));
-    !sheet.used.is_empty() && !decided && !sheet.tiles.derived && words::has(&sheet.layer.name, list)
+    !sheet.used.is_empty() && !decided && !sheet.tiles.derived && named(sheet.layer, list)
 }
 
 fn drawn(sheet: &Sheet<'_>) -> u64 {

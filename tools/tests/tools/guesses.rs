@@ -203,3 +203,20 @@ fn what_is_not_solid_in_a_solid_layer() {
     let ran = tilesat(["bake".to_owned(), file.display().to_string(), "--json".to_owned()]);
     assert!(ran.out.contains("object 2 of layer 'Collision': its property 'solid' is false"), "{ran:?}");
 }
+
+/// Some games give each layer a property that says whether it is solid.
+#[test]
+fn layers_that_say_that_they_are_not_solid() {
+    let no = r#"><properties><property name="collision" type="bool" value="false"/></properties>"#;
+    let text = level(&[("Ground", FULL), ("Platforms", MIXED)], "", "");
+    let denied =
+        text.replace(r#"name="Ground" width="4" height="3">"#, &format!(r#"name="Ground" width="4" height="3"{no}"#));
+    assert_ne!(text, denied);
+    assert_eq!((baked(&text, &[]).0, baked(&denied, &[]).0), ("12 0 {}".to_owned(), "11 0 {}".to_owned()));
+    assert_eq!(baked(&denied, &["--solid-layer", "Ground"]).0, "12 0 {}");
+    let objects =
+        r#"<objectgroup id="9" name="Blocks"><object id="1" x="0" y="0" width="16" height="16"/></objectgroup>"#;
+    let denied = level(&[("Platforms", MIXED)], "", &objects.replacen('>', no, 1));
+    assert_eq!(baked(&denied, &[]).0, "11 0 {}");
+    assert_eq!(baked(&denied, &["--objects", "Blocks"]).0, "0 4 {}");
+}
