@@ -10,6 +10,7 @@ mod full;
 pub(in crate::world) mod kind;
 pub(in crate::world) mod level;
 mod lines;
+mod look;
 mod occupancy;
 pub(in crate::world) mod outline;
 pub(in crate::world) mod overlap;
