@@ -52,12 +52,12 @@ impl CellQuery {
     ///
     /// A body that meets joints in a motion is a box or a point. It meets a corner only by a side
     /// that lands there: both edges lead away from that side.
-    pub(super) const fn opposes_corner(&self, e_in: Axis, e_out: Axis) -> bool {
+    pub(super) const fn opposes_corner(&self, (e_in, in_opposes): (Axis, bool), e_out: Axis) -> bool {
         let lands = e_in.x.wrapping_mul(e_out.x) < 0 || e_in.y.wrapping_mul(e_out.y) < 0;
         if self.joints && !lands && !self.d.is_zero() {
             return false;
         }
-        self.opposes(e_in) || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
+        in_opposes || self.opposes(e_out) || (e_in.x == -e_out.x && e_in.y == -e_out.y)
     }
 }
 
