@@ -107,6 +107,7 @@ mod feel;
 mod first_leg;
 mod inside;
 mod look_ahead;
+mod lying;
 mod memo;
 mod moved;
 mod mover;

@@ -108,6 +108,11 @@ impl Around {
         (lo.x < hi.x && lo.y < hi.y).then_some(Aabb::from_raw_unchecked(lo, hi))
     }
 
+    /// The part of the known region that may hold something.
+    pub(super) fn held(&self) -> Option<&Aabb> {
+        self.seen.held.as_ref()
+    }
+
     /// Whether the region that was looked at is empty.
     pub(super) fn is_empty(&self) -> bool {
         self.seen.held.is_none()
@@ -185,9 +190,14 @@ impl<'a, B: Body> Search<'a, B> {
 
     /// [`find_first`](Self::find_first) for a motion in `pieces` pieces. If it is one, the level
     /// has been looked at.
+    #[inline(always)]
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         match self.around.known_cells() {
-            Some(mut cells) if W::GRID && pieces == 1 => self.meet_cells(world, &mut cells, d, first),
+            Some(mut cells) if W::GRID && pieces == 1 => {
+                if !self.lies_on_block(world, &cells, d, first) {
+                    self.meet_cells(world, &mut cells, d, first);
+                }
+            }
             _ => self.find_in_pieces(world, pieces, d, first),
         }
         self.find_cusp(world, d, first);

@@ -108,6 +108,11 @@ impl Cells {
     /// A walk without a cell.
     pub(crate) const NONE: Self = Self::of(Range::NONE);
 
+    /// Whether it is over one cell, before or after that.
+    pub(crate) const fn is_of_one(&self) -> bool {
+        self.range.x0 == self.range.x1 && self.range.y0 == self.range.y1
+    }
+
     pub(in crate::world) const fn of(range: Range) -> Self {
         Self { x: range.x0, y: range.y0, range }
     }

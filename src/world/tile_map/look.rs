@@ -1,7 +1,7 @@
 //! What a mover sees first of a tile map: the cells of a region that a body in it may meet.
 
 use super::clear::is_clear;
-use super::{ShapeSet, Store, TileMap};
+use super::{Outside, ShapeSet, Store, TileMap};
 use crate::shape::Aabb;
 use crate::world::cell::{Block, Cells, Range};
 use crate::world::level::{ANY_BODY, Seen};
@@ -59,9 +59,12 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
             return;
         }
         let (first, last) = ((found.x0, found.y0), (found.x1, found.y1));
-        // Cells of the map need no tests for those beyond, which take 40 instructions. In a map of
-        // blocks, 40 bytes would be 1 % of a small game.
-        let (lo, hi) = if S::SHAPED { self.grid.area(first, last) } else { self.extent_between(first, last) };
+        // Cells of the map need no tests for those beyond, which take 40 instructions.
+        let (lo, hi) = if !S::SHAPED && matches!(self.outside, Outside::Edge) {
+            self.extent_between(first, last)
+        } else {
+            self.grid.area(first, last)
+        };
         (seen.held, seen.cells) = (Some(Aabb::from_raw_unchecked(lo, hi)), Some(Cells::of(found)));
     }
 
