@@ -8,8 +8,8 @@ use crate::num::Raw;
 use crate::world::{Cells, Fill, Geometry, World, normal};
 
 impl<B: Body> Search<'_, B> {
-    /// Takes the hit of the block on which a rounded body lies, if all that is near begins at its
-    /// line, and the body's core is over that block alone.
+    /// Takes the hit of the block on which a rounded body lies. All that is near must begin at its
+    /// line, and the body's core must be over that block alone.
     ///
     /// The body touches the line there, and its other points are off the line. So no other hit is
     /// at the time 0, and no cell covers the side. Returns whether it lies on such a block. A

@@ -11,8 +11,8 @@ impl<S: ShapeSet, T: Store> TileMap<'_, S, T> {
     /// The cells of a region that a body may meet, and the box around them; see
     /// [`World::look`](crate::world::World::look).
     ///
-    /// Most looks find no tile. They are this function alone: on a Cortex-M0, 158 instructions in
-    /// place of 208 with the rest in one function, which leaves no registers to the walk.
+    /// Most looks find no tile. They are this function alone: 158 instructions on a Cortex-M0. With
+    /// the rest in one function they are 208, because that leaves no registers to the walk.
     #[inline(never)]
     pub(in crate::world) fn look(&self, region: &Aabb, r: i32, seen: &mut Seen) -> bool {
         let Some(range) = self.range_inside(region.lo(), region.hi()) else {
