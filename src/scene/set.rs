@@ -88,19 +88,19 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 81 073 | 5 896 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 93 727 | 6 168 | 3 672 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 123 021 | 6 168 | 4 424 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 144 | 3 824 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 944 | 4 792 |
+/// | boxes and circles | 81 025 | 5 872 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 94 015 | 6 152 | 3 656 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 122 353 | 6 152 | 4 408 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 120 | 3 808 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 936 | 4 776 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 209 717 |
-/// | fly and land, at most | 397 179 |
-/// | lie in nooks of slopes, none may sleep | 824 420 |
-/// | the same, if the scene [remembers](Self::remembering) | 54 269 |
-/// | sleep | 58 |
+/// | fly and land, mean | 214 267 |
+/// | fly and land, at most | 401 129 |
+/// | lie in nooks of slopes, none may sleep | 826 350 |
+/// | the same, if the scene [remembers](Self::remembering) | 55 510 |
+/// | sleep | 57 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
