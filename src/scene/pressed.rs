@@ -8,10 +8,6 @@
 //! A body that yields keeps its velocity. So two that meet keep their momentum, on a floor and in
 //! the wind, too. So does a row on a floor: it is as free across gravity as one body. If such rows
 //! lost velocity, nothing could push a heap aside.
-//!
-//! Of 40 heaps of 60 balls at a gravity of 0.25, 10 never rest. If the pushes from each side took
-//! velocity across gravity, and not only their sum, 2 would not. But a row of nine balls then
-//! slides down a ramp with friction at half of its speed.
 
 use super::body::{ALOFT, NOBODY, Slot};
 use crate::num::{Raw, Vec2};
