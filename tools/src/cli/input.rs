@@ -25,13 +25,14 @@ A tile is solid by the first of these rules that applies:
      Collider, Wall, Blocked; OneWay; or a property shape (full, one-way-up,
      slope-bottom-left, .., as tilesat sheet draws them) or npp (its number in N++,
      0 to 33)
-  b  its shapes of Tiled's collision editor
+  b  its shapes of Tiled's collision editor, but not those that a class or a true
+     property calls sensor or trigger, nor those in a layer named coin, gem or pickup
   c  its layer has a name, class or true property with the word collision, collider,
      collide, collidable, solid, blocked or blocking: every tile drawn there is full;
      with the words one way: every tile drawn there is one-way from above
   d  if no rule above makes anything solid: its class or a true property has a word of c
      or is impassable, or its property walkable or passable is false; if still nothing is
-     solid: its layer is named wall, ground, terrain, platform, block or obstacle; if
+     solid: its layer is named wall, ground, terrain, platform, block, obstacle or physics; if
      still nothing is: floor, boundary or barrier. Ground that is nearly everywhere, and
      on which such walls stand, is not solid, nor are tiles that are walkable, or whose
      property solid or collides is false. Values of an

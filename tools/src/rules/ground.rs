@@ -7,14 +7,16 @@
 //!    `Collidable`, `Collider`, `Wall`, `Blocked` or `OneWay`. Or the properties `shape` and `npp`
 //!    name its shape.
 //! 3. `b`: it has shapes of Tiled's collision editor. A shape within 1/8 pixel of one of the
-//!    library's becomes that one. All others become polygons beside the tiles.
+//!    library's becomes that one. All others become polygons beside the tiles. Shapes that are
+//!    sensors or triggers do not count, nor do those in a layer of coins.
 //! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
 //!    collision, collider, collide, collidable, solid, blocked or blocking, or with the words one
 //!    way.
 //! 5. `d`: if nothing of the map is solid so far, and its class or a true property has a word of
 //!    `c` or is impassable, or its property `walkable` or `passable` is false. If still nothing is
-//!    solid: its layer has a name with the word wall, ground, terrain, platform, block or obstacle.
-//!    If still nothing is: floor, boundary or barrier. Ground that walls stand on is not solid.
+//!    solid: its layer has a name with the word wall, ground, terrain, platform, block, obstacle
+//!    or physics. If still nothing is: floor, boundary or barrier. Ground that walls stand on is
+//!    not solid. In a layer of platforms, tiles without shapes are full if few have some.
 //!    For values of `LDtk` the words are the same, and dirt, stone, rock, brick and earth. Values
 //!    without an identifier follow the rules `c` and `d` of their layers.
 
@@ -147,6 +149,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         }
         (outlines, left_out) = layers.objects(Some(list))?;
     }
+    layers.forgotten(&mut sheets);
     let cells = cells::merge(&sheets, flags)?;
     layers.unseen(&sheets, &outlines);
     let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;
@@ -168,7 +171,6 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         }
     } else {
         layers.undecided(&sheets);
-        layers.forgotten(&sheets);
         layers.crowded(&sheets, &cells);
     }
     let classes = left_out.iter().map(|object| object.class.as_str());

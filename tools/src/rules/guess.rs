@@ -128,24 +128,35 @@ impl Layers<'_> {
 
     /// Notes the layers whose names say that they are solid, and most of whose tiles have no
     /// collision shape, if only such shapes make anything solid. Some authors draw them for ramps
-    /// only.
-    pub(super) fn forgotten(&mut self, sheets: &[Sheet<'_>]) {
+    /// only. So tiles of platforms are full if bodies would fall through most of the surface.
+    pub(super) fn forgotten(&mut self, sheets: &mut [Sheet<'_>]) {
         if self.ledger.0.iter().any(|applied| applied.rule != Rule::B) {
             return;
         }
         for sheet in sheets {
-            let name = &sheet.layer.name;
-            let (known, others): (Vec<_>, Vec<_>) = sheet
-                .used
-                .iter()
-                .partition(|(entry, _)| sheet.pieces.contains_key(entry) || sheet.flags.contains_key(entry));
+            let (name, cells, width) = (&sheet.layer.name, &sheet.tiles.cells, sheet.tiles.width as usize);
+            let is_bare = |entry: &u32| !sheet.pieces.contains_key(entry) && !sheet.flags.contains_key(entry);
+            let bare: Vec<(u32, u64)> = sheet.used.iter().copied().filter(|(entry, _)| is_bare(entry)).collect();
             let count = |used: &[(u32, u64)]| used.iter().map(|(_, times)| times).sum::<u64>();
-            if words::has(name, GUESS) && !sheet.tiles.derived && count(&others) > count(&known) {
+            let most = count(&bare) * 2 > count(&sheet.used);
+            if !most || !words::has(name, GUESS) || sheet.tiles.derived || is_skipped(sheet.layer, self.options) {
+                continue;
+            }
+            let what = format!("{} of layer '{name}'", words::several(count(&bare) as usize, "tile"));
+            let surface = (0..cells.len()).filter(|&at| cells[at] != 0 && (at < width || cells[at - width] == 0));
+            let (open, shaped): (Vec<_>, Vec<_>) = surface.partition(|&at| is_bare(&cells[at]));
+            if !words::has(name, &["platform"]) || open.len() <= shaped.len() {
                 self.note(format!(
-                    "GUESS: {} of layer '{name}' are not solid: they have no collision shape, and other tiles have; \
-                     --solid-layer '{name}' makes them full",
-                    words::several(count(&others) as usize, "tile")
+                    "GUESS: {what} are not solid: they have no collision shape, and other tiles have; \
+                     --solid-layer '{name}' makes them full"
                 ));
+                continue;
+            }
+            self.ledger.add(Rule::D, &format!("layer '{name}' is full"), count(&bare));
+            self.note(format!("GUESS: {what} are full, but have no collision shape; --empty TILESET:ID refuses one"));
+            for (entry, _) in bare {
+                let piece = self.piece(entry, Solid::Shape(TileShape::Full), sheet.tiles.tile);
+                sheet.pieces.insert(entry, piece);
             }
         }
     }

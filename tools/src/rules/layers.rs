@@ -80,6 +80,7 @@ impl<'a> Layers<'a> {
         let mut used: Vec<(u32, u64)> = counts.into_iter().collect();
         used.sort_unstable();
         let by_layer = self.layer_rule(layer, tiles);
+        let passed = by_layer.is_none() && words::is_passed(&layer.name);
         let only_flags = guess::is_skipped(layer, self.options);
         let (pieces, flags, flagged) = (HashMap::new(), HashMap::new(), HashMap::new());
         let mut unnamed = Vec::new();
@@ -100,6 +101,14 @@ impl<'a> Layers<'a> {
             let named = value && !meaning.flags.is_empty();
             let by_layer = by_layer.as_ref().filter(|by| !named || by.rule == Rule::Option);
             let (rule, what, solid) = match (&meaning.verdict, by_layer) {
+                (Some(verdict), _) if passed && verdict.rule == Rule::B => {
+                    let name = &layer.name;
+                    self.note(format!(
+                        "GUESS: collision shapes of layer '{name}' are not solid; --solid-layer '{name}' makes them so"
+                    ));
+                    continue;
+                }
+                (None, Some(by)) if by.rule != Rule::Option && marked::is_sensor(self.map, entry) => continue,
                 (Some(verdict), _) => (verdict.rule, &verdict.what, verdict.solid),
                 (None, Some(by)) => (by.rule, &by.what, Solid::Shape(by.shape)),
                 (None, None) => continue,

@@ -53,13 +53,23 @@ impl Layers<'_> {
     }
 }
 
+/// Whether a class or a true property says that a tile or a shape only notices bodies.
+pub(super) fn senses(class: &str, properties: &Properties) -> bool {
+    properties.marks().chain([class]).any(words::is_sensor)
+}
+
 /// Whether a tile says that bodies pass, so that the name of its layer does not make it solid.
 pub(super) fn is_free(map: &Map, entry: u32) -> bool {
     let says = |tile: &Tile| {
         let walkable = tile.properties.marks().chain(tile.properties.ones()).any(words::is_walkable);
         walkable || denied(&tile.properties).is_some()
     };
-    !map.values && tile(map, entry).is_some_and(says)
+    is_sensor(map, entry) || !map.values && tile(map, entry).is_some_and(says)
+}
+
+/// Whether a tile only notices bodies, so that not even a layer of collisions makes it solid.
+pub(super) fn is_sensor(map: &Map, entry: u32) -> bool {
+    !map.values && tile(map, entry).is_some_and(|tile| senses(&tile.class, &tile.properties))
 }
 
 /// The first property that says of its owner that it is not solid: `solid` that is false.

@@ -100,6 +100,11 @@ pub(super) fn outlines(
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
     // What an object says of itself counts more than its layer, and less than the user.
     let denied = marked::denied(&object.properties).filter(|_| !by_option(layer, options));
+    let own: Vec<String> = names(object).map(str::to_owned).collect();
+    let by_user = by_option(layer, options) || options.shape(&own).is_some();
+    if marked::senses(&object.class, &object.properties) && !by_user {
+        return left_out("it is a sensor or a trigger".to_owned());
+    }
     let kind = match kind(object, if denied.is_some() { Says::Nothing } else { says }, options)? {
         // A tile has an inside.
         Some(Kind::Wall) if is_tile => Kind::Solid,

@@ -8,6 +8,7 @@ use super::form;
 use super::kind::Kind;
 use super::knots::{self, Knot};
 use super::likeness::{self, Likeness};
+use super::marked::senses;
 use super::names;
 use super::union::union;
 use super::verdict::Solid;
@@ -267,7 +268,7 @@ fn near(a: (f64, f64), b: (f64, f64)) -> bool {
 
 /// A shape of the collision editor, drawn on a tile of this size, relative to the tile.
 fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
-    let corners = form::corners(object)?;
+    let corners = form::corners(object).filter(|_| !senses(&object.class, &object.properties))?;
     let says = |name: &str| Kind::from_name(name);
     let own = [object.class.as_str(), object.name.as_str()].into_iter().chain(object.properties.marks());
     let kind = own.into_iter().find_map(says).unwrap_or(Kind::Solid);

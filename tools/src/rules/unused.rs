@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use super::outline::{LeftOut, Outline, Title};
 use super::words::{COLLISION, GUESS, LAST};
-use super::{kind::Kind, traits, words};
+use super::{kind::Kind, marked, traits, words};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Placed};
 use crate::model::object::{Form, Object};
@@ -41,7 +41,7 @@ pub(super) fn lines(map: &Map, outlines: &[Outline], left_out: &[LeftOut]) -> Ve
         let counts =
             counted(tiles.flat_map(|(_, tile)| &tile.properties.0).filter(|(name, value)| !of_tile(name, value)));
         lines.extend(line(&format!("of tiles of tileset '{}'", set.name), &counts));
-        lines.extend(marks(set, |id| placed.contains(&(index, id)) || stamped.contains(&(index, id))));
+        lines.extend(of_shapes(set, |id| placed.contains(&(index, id)) || stamped.contains(&(index, id))));
     }
     let solid: Titles<'_> = outlines.iter().map(|outline| key(&outline.title)).collect();
     let listed = left_out.iter().filter(|object| object.is_listed());
@@ -109,16 +109,28 @@ fn line(owner: &str, counts: &Counts<'_>) -> Option<String> {
     Some(text + ": no output has them")
 }
 
-/// Points and texts that are drawn in the collision editor of these tiles.
-fn marks(set: &Tileset, used: impl Fn(u32) -> bool) -> Vec<String> {
-    let shapes = || set.tiles.iter().filter(|(id, _)| used(**id)).flat_map(|(_, tile)| &tile.shapes);
-    let of = |what: &str, form: &Form| {
-        let count = shapes().filter(|shape| shape.form == *form).count();
+/// Points, texts and sensors in the collision editor of these tiles, and what its other shapes say.
+fn of_shapes(set: &Tileset, used: impl Fn(u32) -> bool) -> Vec<String> {
+    let tiles = set.tiles.iter().filter(|(id, _)| used(**id)).map(|(_, tile)| tile);
+    let shapes: Vec<&Object> = tiles.flat_map(|tile| &tile.shapes).collect();
+    let of = |what: &str, is: &dyn Fn(&Object) -> bool| {
+        let count = shapes.iter().filter(|shape| is(shape)).count();
         let them = if count == 1 { "it" } else { "them" };
         let whose = format!("{} in the collision editor of tileset '{}'", words::several(count, what), set.name);
         (count > 0).then(|| format!("{whose}: no output has {them}; draw {them} in an object layer"))
     };
-    of("point", &Form::Point).into_iter().chain(of("text", &Form::Text)).collect()
+    let form = |form: Form| move |shape: &Object| shape.form == form;
+    let senses = |shape: &Object| marked::senses(&shape.class, &shape.properties);
+    let mut said = Counts::new();
+    for shape in shapes.iter().filter(|shape| !senses(shape)) {
+        let own = counted(shape.properties.0.iter().filter(|(_, value)| is_set(value))).into_keys();
+        for name in own.chain([&*shape.class]).filter(|name| !name.is_empty() && Kind::from_name(name).is_none()) {
+            *said.entry(name).or_default() += 1;
+        }
+    }
+    let said = line(&format!("and classes of collision shapes of tileset '{}'", set.name), &said);
+    let lost = [of("point", &form(Form::Point)), of("text", &form(Form::Text)), of("sensor", &senses), said];
+    lost.into_iter().flatten().collect()
 }
 
 /// The tiles that are objects of a map.

@@ -2,6 +2,7 @@
 
 use tilesat::TileShape;
 
+use super::marked::senses;
 use super::options::Options;
 use super::{Rule, identifier, names, traits};
 use crate::model::flip::Flip;
@@ -81,7 +82,9 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     } else if let Some((name, shape)) = by_name {
         let kind = if class == Some(name) { "class" } else { "property" };
         shaped(Rule::A, format!("{kind} {name} is {}", names::name(shape)), shape)
-    } else if tile.shapes.is_empty() {
+    } else if [&tile.properties, &set.properties].into_iter().any(|own| senses(&tile.class, own))
+        || tile.shapes.iter().all(|shape| senses(&shape.class, &shape.properties))
+    {
         None
     } else {
         Some(Verdict {

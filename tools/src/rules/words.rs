@@ -4,7 +4,7 @@
 pub(super) const COLLISION: &[&str] =
     &["collision", "collider", "solid", "collide", "collidable", "blocked", "blocking"];
 /// In the name of a layer, if nothing else decides.
-pub(super) const GUESS: &[&str] = &["wall", "ground", "terrain", "platform", "block", "obstacle"];
+pub(super) const GUESS: &[&str] = &["wall", "ground", "terrain", "platform", "block", "obstacle", "physics"];
 /// In the name of a layer or a value, if not even those do. Seen from above, bodies walk on a
 /// floor.
 pub(super) const LAST: &[&str] = &["floor", "boundary", "boundaries", "barrier"];
@@ -45,6 +45,10 @@ const FREE: &[&str] = &[
 const WALKABLE: &[&str] = &["walkable", "passable"];
 /// In the name of one that they do not.
 const BLOCKED: &[&str] = &["impassable", "impassible", "unpassable", "unwalkable"];
+/// In the name of what only notices bodies.
+const SENSOR: &[&str] = &["sensor", "trigger"];
+/// In the name of a layer of things that bodies take.
+const TAKEN: &[&str] = &["coin", "gem", "pickup", "collectible", "collectable"];
 /// They reverse the meaning of a name.
 const NOT: &[&str] = &["no", "non", "not", "without"];
 
@@ -89,6 +93,16 @@ pub(super) fn is_free(name: &str) -> bool {
 /// Whether the name of a tile or of its property says that bodies walk there.
 pub(super) fn is_walkable(name: &str) -> bool {
     has(name, WALKABLE)
+}
+
+/// Whether a name says that something only notices bodies.
+pub(super) fn is_sensor(name: &str) -> bool {
+    has(name, SENSOR)
+}
+
+/// Whether bodies pass the collision shapes in a layer of this name.
+pub(super) fn is_passed(name: &str) -> bool {
+    is_sensor(name) || has(name, TAKEN)
 }
 
 /// Whether the name of a tile or of its property says that bodies do not pass, in other words than

@@ -220,3 +220,45 @@ fn layers_that_say_that_they_are_not_solid() {
     assert_eq!(baked(&denied, &[]).0, "11 0 {}");
     assert_eq!(baked(&denied, &["--objects", "Blocks"]).0, "0 4 {}");
 }
+
+/// Bodies pass what a box of the collision editor, a tile or an object calls a sensor, and coins.
+#[test]
+fn sensors_and_coins_are_not_solid() {
+    let boxed = |id: u32, own: &str, says: &str| {
+        let object = format!(r#"<object id="1" x="0" y="0" width="16" height="16">{says}</object>"#);
+        format!(r#"<tile id="{id}">{own}<objectgroup>{object}</objectgroup></tile>"#)
+    };
+    let is = |layers: &[(&str, &str)], tiles: &str, objects: &str, option: &[&str], count: &str| {
+        let (found, said) = baked(&level(layers, &(tiles.to_owned() + &boxed(3, "", "")), objects), option);
+        assert!(found.starts_with(count), "{found} {said}, not {count}: {tiles}{objects}");
+    };
+    let map = [("Map", MIXED)];
+    for (name, count) in [("sensor", "6 0"), ("unity:IsTrigger", "6 0"), ("no_trigger", "11 0")] {
+        let own = format!(r#"<properties><property name="{name}" type="bool" value="true"/></properties>"#);
+        is(&map, &boxed(0, "", &own), "", &[], count);
+        is(&map, &boxed(0, &own, ""), "", &[], count);
+        let (tile, layer) = (format!(r#"<tile id="0">{own}</tile>"#), [("Collision", MIXED)]);
+        is(&layer, &tile, "", &[], count);
+        is(&layer, &tile, "", &["--solid-layer", "Collision"], "11 0");
+        let object = format!(r#"<object id="1" x="0" y="0" width="9" height="9">{own}</object>"#);
+        let object = format!(r#"<objectgroup id="2" name="Solid">{object}</objectgroup>"#);
+        is(&map, "", &object, &[], if count == "6 0" { count } else { "6 4" });
+        is(&map, "", &object, &["--objects", "Solid"], "6 4");
+        is(&map, "", &object, &["--solid", name], "6 4");
+    }
+    let layers = [("Coins", AROUND), ("Map", "0,0,0,0,0,0,0,0,1,1,1,1")];
+    is(&layers, &boxed(0, "", ""), "", &[], "4 0");
+    is(&layers, &boxed(0, "", ""), "", &["--solid-layer", "Coins"], "10 0");
+}
+
+/// Some authors draw shapes for ramps only. A bush without a shape on ground that has one stays
+/// empty.
+#[test]
+fn platforms_with_few_collision_shapes() {
+    let ramp = r#"<tile id="3"><objectgroup><object id="1" x="0" y="16"><polygon points="0,0 16,-16 16,0"/></object></objectgroup></tile>"#;
+    let text = |name: &str, cells: &str| level(&[(name, cells)], ramp, "");
+    let (found, said) = baked(&text("Platforms", "0,0,0,0,0,4,1,1,1,1,1,1"), &[]);
+    assert!(found == "7 0 {}" && said.contains("6 tiles of layer 'Platforms' are full"), "{found} {said}");
+    assert_eq!(baked(&text("Platforms", "0,0,0,1,4,4,4,4,1,1,1,1"), &[]).0, "4 0 {}");
+    assert_eq!(baked(&text("Ground", "0,0,0,0,0,4,1,1,1,1,1,1"), &[]).0, "1 0 {}");
+}

@@ -165,13 +165,13 @@ fn ground_without_shapes_beside_ramps() {
     let text = |name: &str, csv: &str| {
         map(4, 1, csv, "").replace(start, ramp).replace(r#"name="World""#, &format!("name=\"{name}\""))
     };
-    let says = "GUESS: 2 tiles of layer 'Platforms' are not solid";
-    let found = level("ramps.tmx", text("Platforms", "1,2,1,0"), "");
+    let says = "GUESS: 2 tiles of layer 'Ground' are not solid";
+    let found = level("ramps.tmx", text("Ground", "1,2,1,0"), "");
     assert!(found["solid"] == 1 && has_note(&found, says), "{found}");
-    assert_eq!(level("ramps.tmx", text("Platforms", "1,2,1,0"), "--solid-layer Platforms")["solid"], 3);
+    assert_eq!(level("ramps.tmx", text("Ground", "1,2,1,0"), "--solid-layer Ground")["solid"], 3);
     // Ornaments, a layer of another name, and a layer that something else marks.
     for (name, csv, options) in
-        [("Platforms", "1,2,2,0", ""), ("World", "1,2,1,0", ""), ("Platforms", "1,2,1,0", "--one-way t:0")]
+        [("Ground", "1,2,2,0", ""), ("World", "1,2,1,0", ""), ("Ground", "1,2,1,0", "--one-way t:0")]
     {
         assert!(!has_note(&level("others.tmx", text(name, csv), options), "are not solid"), "{name} {csv}");
     }

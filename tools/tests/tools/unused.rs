@@ -69,11 +69,12 @@ fn properties_without_an_output_are_named() {
 fn points_and_texts_of_the_collision_editor_are_named() {
     let point = |id: u32| format!(r#"<object id="{id}" x="8" y="8"><point/></object>"#);
     let text = |id: u32| format!(r#"<object id="{id}" x="0" y="0" width="8" height="4"><text>Hi</text></object>"#);
-    let half = r#"<object id="9" x="0" y="8" width="16" height="8"/>"#;
+    let half = r#"<object id="9" type="Ice" x="0" y="8" width="16" height="8"/>"#;
+    let sensor = r#"<object id="7" type="Sensor" x="0" y="8" width="16" height="8"/>"#;
     let group = |drawn: &[&str]| format!(r#"<objectgroup id="2">{}</objectgroup>"#, drawn.concat());
     let tiles = [
         format!(r#"<tile id="0" type="Solid">{}</tile>"#, group(&[&point(1), &text(2)])),
-        format!(r#"<tile id="1">{}</tile>"#, group(&[half, &point(1), &point(2)])),
+        format!(r#"<tile id="1">{}</tile>"#, group(&[half, sensor, &point(1), &point(2)])),
         format!(r#"<tile id="2">{}</tile>"#, group(&[&point(1)])),
         format!(r#"<tile id="3">{}</tile>"#, group(&[&text(1)])),
     ];
@@ -88,9 +89,12 @@ fn points_and_texts_of_the_collision_editor_are_named() {
         [
             "4 points in the collision editor of tileset 't': no output has them; draw them in an object layer",
             "1 text in the collision editor of tileset 't': no output has it; draw it in an object layer",
+            "1 sensor in the collision editor of tileset 't': no output has it; draw it in an object layer",
+            "properties and classes of collision shapes of tileset 't': 'Ice': no output has them",
         ]
     );
-    let plain = level.replace(&point(1), "").replace(&point(2), "").replace(&text(2), "");
+    let plain = level.replace(r#"type="Ice""#, "").replace(sensor, "");
+    let plain = plain.replace(&point(1), "").replace(&point(2), "").replace(&text(2), "");
     assert!(ignored("plain.tmx", &plain).is_empty());
 }
 
