@@ -150,6 +150,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         (outlines, left_out) = layers.objects(Some(list))?;
     }
     layers.forgotten(&mut sheets);
+    layers.slopes(&sheets);
     let cells = cells::merge(&sheets, flags)?;
     layers.unseen(&sheets, &outlines);
     let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;

@@ -8,6 +8,7 @@ use super::cells::Sheet;
 use super::guess;
 use super::layers::Layers;
 use super::options::Options;
+use super::piece::Piece;
 use super::report::Rule;
 use super::verdict::Solid;
 use super::{traits, words};
@@ -56,6 +57,23 @@ impl Layers<'_> {
 /// Whether a class or a true property says that a tile or a shape only notices bodies.
 pub(super) fn senses(class: &str, properties: &Properties) -> bool {
     properties.marks().chain([class]).any(words::is_sensor)
+}
+
+impl Layers<'_> {
+    /// Notes the tiles that are called slopes, and are none: games name directions differently.
+    pub(super) fn slopes(&mut self, sheets: &[Sheet<'_>]) {
+        for (sheet, (entry, _)) in sheets.iter().flat_map(|sheet| sheet.used.iter().map(move |used| (sheet, used))) {
+            let is_block = matches!(sheet.pieces.get(entry), None | Some(Piece::Shape(TileShape::Full)));
+            let Some(tile) = tile(self.map, *entry).filter(|_| is_block && !self.map.values) else { continue };
+            let own = tile.properties.0.iter().filter(|(_, value)| !value.is_false()).map(|(name, _)| name);
+            let is = |name: &&String| words::has(name, &["slope", "ramp"]) && !self.options.is_flag(name);
+            if let Some(name) = own.chain([&tile.class]).find(is) {
+                self.note(format!(
+                    "GUESS: tiles with '{name}' are no slopes; --solid TILESET:ID=slope-bottom-left makes one so"
+                ));
+            }
+        }
+    }
 }
 
 /// Whether a tile says that bodies pass, so that the name of its layer does not make it solid.

@@ -262,3 +262,17 @@ fn platforms_with_few_collision_shapes() {
     assert_eq!(baked(&text("Platforms", "0,0,0,1,4,4,4,4,1,1,1,1"), &[]).0, "4 0 {}");
     assert_eq!(baked(&text("Ground", "0,0,0,0,0,4,1,1,1,1,1,1"), &[]).0, "1 0 {}");
 }
+
+/// Blocks and empty tiles that are called slopes.
+#[test]
+fn slopes_by_name_only() {
+    let slope = r#"<property name="SlopeLeft" type="bool" value="true"/></properties>"#;
+    for (more, count) in [(r#"<property name="solid" type="bool" value="true"/>"#, "11 0"), ("", "6 0")] {
+        let tiles = format!(r#"<tile id="0"><properties>{more}{slope}</tile><tile id="3" class="Solid"/>"#);
+        let (found, said) = baked(&level(&[("Map", MIXED)], &tiles, ""), &[]);
+        assert!(found.starts_with(count) && said.contains("tiles with 'SlopeLeft' are no slopes"), "{found} {said}");
+        for option in [["--solid", "t:0=slope-bottom-left"], ["--flag", "slope left"]] {
+            assert_eq!(baked(&level(&[("Map", MIXED)], &tiles, ""), &option).1, "");
+        }
+    }
+}
