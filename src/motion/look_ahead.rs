@@ -14,8 +14,8 @@ impl<B: Body> Character<B> {
     ///
     /// Call it before [`step`](Self::step) or [`step_on`](Self::step_on), with the same input. It
     /// looks at the velocity that this step will start with, as
-    /// [`Mover::assist`](crate::Mover::assist) does. With moving solids, pass the level
-    /// [`Joined`](crate::Joined) with them.
+    /// [`Mover::assist`](crate::Mover::assist) does: to the side to which it runs, if it runs.
+    /// With moving solids, pass the level [`Joined`](crate::Joined) with them.
     ///
     /// Cost: that of [`Mover::assist`](crate::Mover::assist). You link it only if you call it.
     ///

@@ -26,14 +26,16 @@ impl<S: Law> Mover<S> {
     ///
     /// Call it before the motion, with the same velocity. It does nothing if the motion hits no
     /// face along x or y, or hits a floor. The step aside is the shortest one, exactly, that lets
-    /// the motion lead farther, and it is free. If two are equally short, it chooses the one toward
-    /// which the velocity points, then the one to the left of the motion (y down).
+    /// the motion lead farther, and it is free. It never leads against the velocity, so no call
+    /// undoes another one. Along x or y there are two sides: the nearer one, on a tie the one to
+    /// the left of the motion (y down).
     ///
-    /// A body that moves sideways faster than `reach` per call can pass a gap within one frame. A
-    /// `reach` as large as the speed finds every gap.
+    /// A box that slides along a wall at a speed of at most `reach` enters every gap, also one
+    /// exactly as wide. Then it steps a raw unit into the gap, too. A faster body can pass a gap
+    /// within one frame. So can one that was not at the wall yet.
     ///
-    /// Cost: one sweep along the motion. If that hits, up to six more, of `reach`, and one on each
-    /// side for each face that the body passes.
+    /// Cost: one sweep along the motion. If that hits, up to six more for each side, one of them of
+    /// `reach`, and two for each face that the body passes.
     ///
     /// ```
     /// use tilesat::{Aabb, Mover, TileKind, TileKinds, TileMap, Vec2, fx};
@@ -74,31 +76,36 @@ impl<S: Law> Mover<S> {
         }
         let mut best = None;
         let side = along(normal.perp(), reach);
-        let first = if side.dot(d) < 0 { [side.reversed(), side] } else { [side, side.reversed()] };
-        for side in first {
+        // Never against the velocity: the next call could undo that step, and the body would stay.
+        for side in [side, side.reversed()].into_iter().filter(|side| side.dot(d) >= 0) {
             let Some((least, free)) = past(world, run, &hit, side) else { continue };
             // The position at the hit was rounded: a surface that the motion comes nearer to may
             // need one more unit.
             let next = least.add(Raw { x: side.x.signum(), y: side.y.signum() });
             let passes = [least, next].into_iter().filter(|aside| !aside.is_zero() && way(*aside) <= way(free));
-            let found = passes.filter(|&aside| best.is_none_or(|best| way(aside) < way(best)));
-            best = found.into_iter().find(|&aside| stops(world, run, &hit, aside).is_none()).or(best);
+            let found = passes.filter(|&aside| best.is_none_or(|(best, _)| way(aside) < way(best)));
+            let leads = |aside| farther(world, run, &hit, aside).ok().map(|from| (aside, from));
+            best = found.into_iter().find_map(leads).or(best);
         }
-        best
+        best.map(|(_, from)| from)
     }
 }
 
-/// The hit at which the motion stops from a position aside, if it comes no farther into the face
-/// from there. There it may also lead along the side of a gap.
-fn stops<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside: Raw) -> Option<Ground> {
+/// The way aside, if the motion comes farther into the face from there or along the side of a gap.
+/// Otherwise the hit that stops it. If the body touches the face, both sides of a gap of its width
+/// stop it at once. The way then ends a raw unit inside.
+fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside: Raw) -> Result<Raw, Ground> {
     let n = hit.entry.normal;
-    let next = run.look_from(world, aside, hit.d)?;
+    let Some(next) = run.look_from(world, aside, hit.d) else { return Ok(aside) };
     let to = next.drop();
     let (depth, was) = (into(to, n), into(hit.drop(), n));
-    let beside = n.dot(next.entry.normal) == 0 && depth == was;
+    if depth < was {
+        return Ok(aside);
+    }
     let ahead = Raw { x: n.x.signum().wrapping_neg(), y: n.y.signum().wrapping_neg() };
-    let farther = depth < was || (beside && run.look_from(world, aside.add(to), ahead).is_none());
-    (!farther).then_some(next)
+    let (mouth, from) = if was == 0 { (aside, aside.add(ahead)) } else { (aside.add(to), aside) };
+    let may_enter = depth == was && (was == 0 || n.dot(next.entry.normal) == 0);
+    if may_enter && run.look_from(world, mouth, ahead).is_none() { Ok(from) } else { Err(next) }
 }
 
 /// The shortest way aside past the hit surface, and the way that is free. The search goes from
@@ -122,11 +129,13 @@ fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: 
             break;
         }
         aside = end;
-        let Some(next) = stops(world, run, hit, aside) else {
-            start = aside;
-            break;
-        };
-        ground = next;
+        match farther(world, run, hit, aside) {
+            Ok(_) => {
+                start = aside;
+                break;
+            }
+            Err(next) => ground = next,
+        }
     }
     let ahead = hit.drop().sub(Raw { x: n.x.signum(), y: n.y.signum() });
     // One raw unit beyond the current position: a surface that is only touched is no hit.
