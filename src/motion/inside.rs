@@ -6,7 +6,7 @@ use super::cast::cast_in;
 use super::run::check_inside;
 use crate::num::Raw;
 use crate::shape::Circle;
-use crate::world::{Inside, OneWay, Pushable, World, contacts_of};
+use crate::world::{Inside, OneWay, Pushable, World, WorldContact, contacts_of};
 
 /// How a [`Mover`](super::Mover) treats a body that already overlaps the level. To push it out
 /// first, see [`escape`].
@@ -35,11 +35,13 @@ pub enum StartInside {
     Ignore,
 }
 
-/// The most pushes of one [`escape`].
-const PUSHES: u32 = 4;
+/// The most pushes of one [`escape`], and the most contacts that it tries one by one.
+const PUSHES: usize = 4;
 
-/// Pushes a body out of the solid, at most four times, and returns it at the free position. A body
-/// that is already free is returned unchanged.
+/// Pushes a body out of the solid, at most four times, and returns it at the free position. If that
+/// fails, it tries one push out of each of its first four contacts, and takes the shortest that
+/// frees it. So a crusher over the edge of a body on a floor pushes it aside at once. A free body
+/// is returned unchanged.
 ///
 /// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts), which is
 /// the nearest. It is the depth, rounded up to raw units, and at most 4 raw more. So a push never
@@ -55,8 +57,8 @@ const PUSHES: u32 = 4;
 /// If several features hold a compound, each push moves all its parts out of one of them.
 ///
 /// Cost: an exact overlap test. If the body overlaps, the [contacts](crate::TileMap::contacts) of
-/// one body and another test, at most four times. Only a game that calls it links the code for
-/// contacts.
+/// one body and another test, at most four times. If these fail, the same again. Only a game that
+/// calls it links the code for contacts.
 ///
 /// ```
 /// use tilesat::motion::escape;
@@ -69,22 +71,35 @@ const PUSHES: u32 = 4;
 /// ```
 ///
 /// # Errors
-/// [`Stuck`] if no further push could free the body, or a push would leave the domain.
+/// [`Stuck`] if no push within the domain frees the body.
 pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, Stuck> {
-    let stuck = Stuck { at: body.position().raw() };
-    let mut body = *body;
-    for _ in 0..PUSHES {
-        if !body.overlaps_world(world) {
-            return Ok(body);
+    let mut contacts = heapless::Vec::<_, PUSHES>::new();
+    let mut pushed = *body;
+    for left in (0..=PUSHES).rev() {
+        if !pushed.overlaps_world(world) {
+            return Ok(pushed);
         }
-        let mut nearest = heapless::Vec::<_, 1>::new();
-        // More contacts than the one kept are no error here.
-        let _ = contacts_of(world, &body, OneWay::Ignore, &mut nearest);
-        let push = Raw::of(nearest.first().ok_or(stuck)?.push_out());
-        check_inside(&Kernel::bounds(&body), push).map_err(|_| stuck)?;
-        body = body.shifted(push);
+        // More contacts than fit are no error here.
+        let _ = contacts_of(world, &pushed, OneWay::Ignore, &mut contacts);
+        let push = contacts.first().and_then(|contact| push_of(&pushed, contact));
+        let (Some(push), 1..) = (push, left) else { break };
+        pushed = pushed.shifted(push);
     }
-    if body.overlaps_world(world) { Err(stuck) } else { Ok(body) }
+    let _ = contacts_of(world, body, OneWay::Ignore, &mut contacts);
+    let mut free: Option<Raw> = None;
+    for push in contacts.iter().filter_map(|contact| push_of(body, contact)) {
+        let shorter = free.is_none_or(|free| push.dot(push) < free.dot(free));
+        if shorter && !body.shifted(push).overlaps_world(world) {
+            free = Some(push);
+        }
+    }
+    free.map(|push| body.shifted(push)).ok_or(Stuck { at: body.position().raw() })
+}
+
+/// The push out of one feature, unless it leaves the domain.
+fn push_of<B: Body>(body: &B, contact: &WorldContact) -> Option<Raw> {
+    let push = Raw::of(contact.push_out());
+    check_inside(&Kernel::bounds(body), push).is_ok().then_some(push)
 }
 
 /// Turns a body in a level: replaces it by `turned`, which has another direction or size, and

@@ -3,7 +3,7 @@
 use tilesat::motion::escape;
 use tilesat::world::World;
 use tilesat::{
-    Aabb, Axis, Circle, Fx, MoveError, Mover, Outside,
+    Aabb, Axis, Circle, Fx, Joined, MoveError, Mover, Outside, Solid, Solids,
     motion::{StartInside, Stuck},
 };
 use tilesat_judge::Random;
@@ -253,4 +253,24 @@ fn a_door_that_closed() {
 
 fn left<W: World>(body: Body, world: &W, v: P) -> Body {
     body.step(&LEAVES, world, v).unwrap().body
+}
+
+/// A crusher comes down on one edge of a body on the floor. However deep it is, the body leaves
+/// sideways if less than half of it is under the crusher.
+#[test]
+fn the_edge_of_a_crusher() {
+    let rows = rooms::drawn(&["......", "......", "######"], 16 * PX, &[]);
+    let floor = rows.all();
+    let (w, h) = (10 * PX, 14 * PX);
+    for (edge, deep) in [1, 9, PX / 2, 2 * PX, 5 * PX].into_iter().flat_map(|edge| (0..56).map(move |k| (edge, k))) {
+        let deep = 1 + deep * PX / 4;
+        for side in [-1, 1] {
+            let body = Body::Rect((32 * PX, 32 * PX - h), (w, h));
+            let x = if side > 0 { 32 * PX + w - edge } else { edge };
+            let crusher = Aabb::new(vec2((x, -9 * PX)), vec2((x + 32 * PX, 32 * PX - h + deep))).unwrap();
+            let crusher = [Solid::new(crusher, 1).unwrap()];
+            let out = freed(&Joined::new(&floor, &Solids::new(&crusher)), body);
+            assert_eq!(out.map(|out| way(body, out)), Ok((-side * edge, 0)), "{edge} {deep} {side}");
+        }
+    }
 }
