@@ -221,7 +221,8 @@ pub enum Outcome {
     /// a solid that squashed it counts as level. [`step_on`](crate::Character::step_on) returns
     /// [`Squashed`](Self::Squashed) instead.
     Stuck,
-    /// The body is entirely below its limits, or beside them. It may be above them.
+    /// The body is entirely below its limits, or beside them. It may be above them. Also if
+    /// its motion would leave the [domain](crate::num::DOMAIN): then it stays.
     OutOfLevel,
 }
 

@@ -36,7 +36,9 @@ pub struct SceneBody<S = Shape> {
     /// no step moves.
     pub mass: Option<NonZeroU8>,
     /// Its restitution and friction at the level. If two bodies meet, the surface that bounces more
-    /// is used, on a tie the one with less friction.
+    /// is used, on a tie the one with less friction. If that ties too, set
+    /// [`resting_below`](Surface::resting_below) on both. That of the lower one counts if it
+    /// carries the other one, or else that of the smaller key.
     pub surface: Surface,
     /// The response to level tiles with flags, and [to all others](Responses::otherwise), instead
     /// of a bounce by its [`surface`](Self::surface). A grenade that stops in mud touches it, a

@@ -16,7 +16,9 @@ use crate::num::{Fx, MOTION, check_motion};
 /// heap that push each other to and fro would never sleep. If there is gravity, the body also runs
 /// into the level or into another body. A step in the air does not count, and does not end the
 /// rest. In its last step of rest something must hold it from below: a ball that rolls off a corner
-/// stays awake. A body that wakes because another one touches it keeps its steps of rest.
+/// stays awake. If it moves by less than that limit in all these steps, it sleeps on the corner,
+/// also beside the top of a peg. [`NEVER`](Self::NEVER) prevents that. A body that wakes because
+/// another one touches it keeps its steps of rest.
 ///
 /// Without friction, heaps of round bodies may stay awake for ever: see the
 /// [limits](crate::scene#limits). In a funnel 9 of 38 pairs of capsules did, and so did most heaps

@@ -241,7 +241,7 @@ rays! {
         /// Whether the straight line from `a` to `b` is free of the level and does not start
         /// inside.
         ///
-        /// A ray from `a` decides it.
+        /// A line that ends on a surface is blocked; one that starts there is not.
         ///
         /// # Errors
         /// As [`cast_ray`](Self::cast_ray).

@@ -103,7 +103,7 @@ rays! {
         /// [`RangeError`] if the start or the end is outside the [domain](crate::num::DOMAIN).
         cast_ray,
         /// Whether the straight line from `a` to `b` is free of both levels, and does not start
-        /// inside. A ray from `a` decides it.
+        /// inside. A line that ends on a surface is blocked; one that starts there is not.
         ///
         /// It asks each level first. A line that both leave free costs no more than the two
         /// answers, unless it starts on the surfaces of both.

@@ -50,7 +50,7 @@ rays! {
         /// Whether the straight line from `a` to `b` meets no boundary and no wall and does not
         /// start inside.
         ///
-        /// A ray from `a` decides it.
+        /// A line that ends on a surface is blocked; one that starts there is not.
         ///
         /// ```
         /// use tilesat::{Path, PathKind, Vec2, fx, segment_map};

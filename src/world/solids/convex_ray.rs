@@ -88,7 +88,7 @@ rays! {
         /// Whether the straight line from `a` to `b` is free of the solids and does not start
         /// inside.
         ///
-        /// A ray from `a` decides it.
+        /// A line that ends on a surface is blocked; one that starts there is not.
         ///
         /// # Errors
         /// [`RangeError`] if a point is outside the [domain](crate::num::DOMAIN).

@@ -75,7 +75,8 @@ rays! {
         /// Whether the straight line from `a` to `b` is free of the solids and does not start
         /// inside.
         ///
-        /// A ray from `a` decides it. One-way solids do not block it.
+        /// A line that ends on a surface is blocked; one that starts there is not. One-way solids
+        /// do not block it.
         ///
         /// ```
         /// use tilesat::{Aabb, Solid, Solids, Vec2};

@@ -202,9 +202,8 @@ rays! {
         /// Exact, by the rules of [`cast_ray`](Self::cast_ray) with
         /// [`Inside::Hit`](crate::world::Inside::Hit). If `a` is inside the solid, the answer is
         /// false. A corner that the line touches blocks it. A wall along which it slides and
-        /// one-way edges do not. On the surface, `a` and `b` are not symmetric: a point on a wall
-        /// reaches the points in front of it. A line from one of those to it ends in a hit. Cost:
-        /// as [`cast_ray`](Self::cast_ray).
+        /// one-way edges do not. A line that ends on a surface is blocked; one that starts there is
+        /// not. Cost: as [`cast_ray`](Self::cast_ray).
         ///
         /// ```
         /// use tilesat::{TileKind, TileKinds, TileMap, Vec2};
