@@ -126,13 +126,13 @@ impl Corners {
     }
 }
 
-/// Whether no side that has a height up to [`OFF`] has the other quad beyond it.
+/// Whether no side without a height above zero has the other quad beyond it.
 #[inline(never)]
 fn reach<const CLOSED: bool>(of: &[Vec2; 4], [Two([h, i]), Two([j, k])]: &[Two; 2], other: &[Vec2; 4]) -> bool {
     let [p, q, r, s] = of.map(Raw::of);
     [(*h, p, q), (*i, q, r), (*j, r, s), (*k, s, p)]
         .iter()
-        .all(|(height, from, to)| *height > OFF || each_side::reaches::<CLOSED>(*from, *to, other))
+        .all(|(height, from, to)| *height > 0.0 || each_side::reaches::<CLOSED>(*from, *to, other))
 }
 
 /// Whether two quads overlap, or touch.
@@ -140,8 +140,8 @@ fn reach<const CLOSED: bool>(of: &[Vec2; 4], [Two([h, i]), Two([j, k])]: &[Two; 
 /// If a point of the other quad is inside of a side, that side does not separate them. For most
 /// sides of quads that overlap, the middle of two corners is. Integers decide the other sides.
 ///
-/// Corners relative to the middle are below 2^30, so a product is off by 2^6. The difference of two
-/// products is off by 2^8, with its own rounding. That is less than [`OFF`].
+/// Corners relative to the middle are exact. A height is the difference of two rounded products,
+/// and rounding keeps their order. So a height above zero is truly above zero.
 #[inline(never)]
 pub(super) fn meet<const CLOSED: bool>(a: &[Vec2; 4], b: &[Vec2; 4]) -> bool {
     let (p, q) = (Corners::of(a), Corners::of(b));
@@ -152,7 +152,7 @@ pub(super) fn meet<const CLOSED: bool>(a: &[Vec2; 4], b: &[Vec2; 4]) -> bool {
     }
     let (of_a, of_b) = (p.heights(q.middle()), q.heights(p.middle()));
     let least = of_a[0].less(of_a[1]).less(of_b[0].less(of_b[1]));
-    least.least() > OFF || (reach::<CLOSED>(a, &of_a, b) && reach::<CLOSED>(b, &of_b, a))
+    least.least() > 0.0 || (reach::<CLOSED>(a, &of_a, b) && reach::<CLOSED>(b, &of_b, a))
 }
 
 /// The nearer side of each two.

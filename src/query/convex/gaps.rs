@@ -132,10 +132,11 @@ impl BoxGaps {
     }
 
     /// Whether the point is nearer than a radius. `None` without a radius, if the point is nearly
-    /// as far, and for a box that is less than two units wide.
+    /// as far, and for a box without area.
     ///
-    /// Half sides are below 2^29 and the way is below 2^30. Products are off by 2^7, heights by
-    /// 2^10 and feet by 2^11. Over a length of 2^16, that is less than a 16th of a raw unit.
+    /// Half sides are below 2^29 and the way is below 2^31. A product of two vectors is off by less
+    /// than 2^-51 of the product of their lengths. So heights and feet, over the length of the side,
+    /// are off by far less than a 16th of a raw unit.
     #[inline(always)]
     fn meet(&self, radius: i32) -> Option<bool> {
         let [TwoGaps { height, beyond, len2 }] = self.gaps.gaps;
@@ -143,7 +144,7 @@ impl BoxGaps {
         let above = |radius: f64| squares.sub(len2.times(Two::both(radius * radius))).least();
         let near = self.gaps.meet | (above(f64::from(radius) - 1.0 / 16.0) < 0.0);
         let far = above(f64::from(radius) + 1.0 / 16.0) > 0.0;
-        (len2.least() > 4_294_967_296.0 && radius > 0 && (near | far)).then_some(near)
+        (len2.least() > 0.0 && radius > 0 && (near | far)).then_some(near)
     }
 }
 

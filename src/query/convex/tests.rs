@@ -6,6 +6,7 @@ use super::box_pair::BoxPair;
 use super::box_point::BoxPoint;
 use super::exit::Exit;
 use super::margins::all_meet;
+use super::place::sharp;
 use super::short_sides::shortly;
 use super::walk::Core;
 use super::{box_contact, contact, distance, each_side, float_margins, float_quads, gaps, short, short_boxes};
@@ -305,4 +306,80 @@ fn least_heights_of_large_quads() {
     }
     let few = cases(60_000) / 40;
     assert!(enough(hits > few && apart > few), "{hits} {apart}");
+}
+
+/// Corners of two quads nearly on one line, on both sides of it: floats cannot tell the side.
+#[test]
+fn corners_nearly_on_a_long_side() {
+    let mut r = Random::new(90);
+    let (mut hits, mut apart) = (0u64, 0u64);
+    for _ in 0..cases(60_000) {
+        let most = (1 << 27) - 1;
+        let (x, y) = (r.within(1 << 26, most) * r.sign(), r.within(1 << 25, most) * r.sign());
+        let Some((s, t)) = across_by_one(Raw { x: x as i32, y: y as i32 }) else { continue };
+        // On the left of the line by a few square units, and after so many lengths of the edge.
+        let at = |height: i64, steps: i64| {
+            let back = (height * s * x + height * t * y) / (x * x + y * y);
+            (height * s + (steps - back) * x, height * t + (steps - back) * y)
+        };
+        let few = |r: &mut Random| r.within(0, 3);
+        let (from, to) = (at(0, -4), at(0, 4));
+        let (third, fourth) =
+            if r.one_in(2) { ((-y, x), at(few(&mut r), -2)) } else { (at(few(&mut r), 2), at(few(&mut r), -2)) };
+        let beyond = at(r.around(1), 0);
+        let far = if r.one_in(2) { (y, -x) } else { at(-few(&mut r) - 4, 0) };
+        let b = [at(-few(&mut r), -3), beyond, at(-few(&mut r), 2), far];
+        let (Ok(a), Ok(b)) = (ConvexPolygon::new(&[from, to, third, fourth].map(vec)), ConvexPolygon::new(&b.map(vec)))
+        else {
+            continue;
+        };
+        let (open, ..) = same_of_quads(&a, &b);
+        hits += u64::from(open);
+        apart += u64::from(!open);
+    }
+    let few = cases(60_000) / 40;
+    assert!(enough(hits > few && apart > few), "{hits} {apart}");
+}
+
+/// The point between two images in a half turn is on a side of both, or nearly. Leading bits do not
+/// show whether they have it in common.
+#[test]
+fn images_in_a_half_turn_around_a_side() {
+    let mut r = Random::new(91);
+    let (mut hits, mut apart) = (0u64, 0u64);
+    for _ in 0..cases(20_000) {
+        let size = 1 << r.within(4, 26);
+        let (p, q) = ((r.within(1, size), r.within(0, size)), (-r.within(0, size), r.within(1, size)));
+        let Ok(a) = ConvexPolygon::<4>::new(&[p, q, (-p.0, -p.1), (-q.0, -q.1)].map(vec)) else { continue };
+        let by = (p.0 + q.0 + r.around(3), p.1 + q.1 + r.around(3));
+        let (open, ..) = same_of_quads(&a, &a.translated(vec(by)).unwrap());
+        hits += u64::from(open);
+        apart += u64::from(!open);
+    }
+    let few = cases(20_000) / 40;
+    assert!(enough(hits > few && apart > few), "{hits} {apart}");
+}
+
+/// Leading bits have room for eight corners. They must not settle a pair of polygons with more.
+#[test]
+fn polygons_of_many_corners_by_leading_bits() {
+    let mut r = Random::new(92);
+    let (mut told, mut many) = (0u64, 0u64);
+    for _ in 0..cases(20_000) {
+        let size = 1 << r.within(4, 26);
+        let hull = |r: &mut Random, at: (i64, i64)| {
+            let points = [(); 16].map(|()| vec((at.0 + r.around(size), at.1 + r.around(size))));
+            ConvexPolygon::<16>::hull(&points).ok()
+        };
+        let by = (r.around(3 * size), r.around(3 * size));
+        let (Some(a), Some(b)) = (hull(&mut r, (0, 0)), hull(&mut r, by)) else { continue };
+        let [p, q] = [&a, &b].map(|of| Core { corners: of.outline(), radius: 0 });
+        let (open, closed) = (sharp::<false>(p, q).is_ok(), sharp::<true>(p, q).is_ok());
+        let by_bits = shortly(p, q);
+        assert!(by_bits.is_none_or(|meet| meet == open && meet == closed), "{a:?} {b:?}");
+        told += u64::from(by_bits.is_some());
+        many += u64::from(p.corners.len().max(q.corners.len()) > 8 && !closed);
+    }
+    let few = cases(20_000) / 40;
+    assert!(enough(told > few && many > few), "{told} {many}");
 }
