@@ -37,6 +37,13 @@ static BEGIN: extern "C" fn() = {
     }
     begin
 };
+
+// The compiler evaluates the constants of a generic type only for a type that a program names.
+#[doc(hidden)]
+pub static SCENE: scene::SortSweepScene<2> = scene::SortSweepScene::empty();
+#[doc(hidden)]
+pub static SNAPSHOT: scene::Snapshot<broad::SortSweep<2, scene::SceneTag>, 2> =
+    scene::Snapshot::new(broad::SortSweep::new());
 "#;
 
 fn main() {
