@@ -192,6 +192,8 @@ pub(super) struct Tally {
     /// How many bodies run into it. After all have moved, the fewest quiet steps of the bodies that
     /// it represents.
     pub(super) hits: u16,
+    /// How many of those change only its velocity along x, and along y.
+    pub(super) straight: (u8, u8),
     /// Another body that it touches, directly or not; its own slot if it represents all of them.
     pub(super) link: u16,
     /// The slot of the one body below that it touches, if there is only one.
@@ -285,7 +287,33 @@ impl<S: BodyShape> Slot<S> {
 impl Tally {
     pub(super) const fn of(slot: u16) -> Self {
         let none = Vec2::ZERO;
-        Self { low: none, high: none, kick: none, hits: 0, link: slot, under: NOBODY, drift: Drift::NONE }
+        Self {
+            low: none,
+            high: none,
+            kick: none,
+            hits: 0,
+            straight: (0, 0),
+            link: slot,
+            under: NOBODY,
+            drift: Drift::NONE,
+        }
+    }
+
+    pub(super) fn hit(&mut self, (along_x, along_y): (bool, bool)) {
+        self.hits = self.hits.saturating_add(1);
+        let (x, y) = &mut self.straight;
+        (*x, *y) = (x.saturating_add(along_x.into()), y.saturating_add(along_y.into()));
+    }
+
+    /// How many hits share the change of its velocity by one of them. If each changes only one of
+    /// its components, those that change the other do not count.
+    pub(super) fn sharers(&self, (along_x, along_y): (bool, bool)) -> u16 {
+        let (x, y) = (u16::from(self.straight.0), u16::from(self.straight.1));
+        match (x + y == self.hits, along_x, along_y) {
+            (true, true, false) => x,
+            (true, false, true) => y,
+            _ => self.hits,
+        }
     }
 
     /// The sum of all pushes on it.

@@ -50,13 +50,13 @@
 //!    [push](crate::motion::response::separate) that parts them. If they approach, each receives
 //!    its share of the [change of velocity](crate::motion::response::exchange). Only the farthest
 //!    push to each side counts, so two floors push no higher than one. If a body has n changes,
-//!    each counts for 1/n.
+//!    each counts for 1/n. In a corner of slick walls along x and y, each wall counts whole.
 //! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity. Its
 //!    surface decides how it bounces off the level. A body that meets the level at no more than the
 //!    gravity of two steps does not bounce: it would jitter there. A body that lies on something
 //!    loses velocity along gravity, too, as far as the push leads against it. So does one that
-//!    others wedge, but not along a floor on which it stands. Every new position passes the level's
-//!    exact overlap test.
+//!    others wedge, but not along a floor on which it stands. A fixed body ends the motion. Every
+//!    new position passes the level's exact overlap test.
 //! 4. Bodies that lie on others are moved after them, from the lowest up. In the same step they are
 //!    pushed out of bodies that are carried.
 //! 5. Fast bodies are moved last, from one hit to the next.
@@ -71,6 +71,9 @@
 //!   finds how deep, and pushes again. If a push could not move a body, the other body then makes
 //!   the whole correction. A heavy body can sink into a light one at a wall by two of its steps,
 //!   plus what gravity adds in three.
+//! - **Fixed bodies keep out all others.** The motion of a slow body ends where it would enter one
+//!   by more than 1/256 of its smaller side. So nothing passes a gap that is too narrow. Others may
+//!   press a body that lies on one into it by an eighth of that side.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
 //! - **Order does not matter**, neither of insertion nor of the broad phase, nor the choice of
 //!   broad phase. For this, keys must be unique (otherwise slots decide). Events come in no
@@ -149,11 +152,11 @@
 //!
 //! # Limits
 //!
-//! - **Balls sink into what holds them aside.** A ball that rests between two others, or over a
-//!   gap, overlaps them. At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units
-//!   deep. In a heap of 60 some overlap by 2 to 5 units. One that falls fast may pass a gap of 12
-//!   units between two fixed bodies, or another ball in a narrow bin. Flag it as `fast`: it then
-//!   stays where it meets them.
+//! - **Bodies sink into others that can move.** A ball that rests between two others overlaps them. At
+//!   a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60 some
+//!   overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. So does a crate in a
+//!   row that a hero presses against a wall. Flag all of them as `fast`: they then stay where they
+//!   meet.
 //! - **Large heaps may keep moving**: of balls without friction, none of 180 heaps of 8 to 24, and
 //!   an eighth of those of 60. Balls among boxes swing longer.
 //! - **A fast body on a fixed one** that the game [places](Scene::place) may be behind by what
@@ -370,6 +373,7 @@ mod error;
 mod event;
 mod fast_bodies;
 mod idle;
+mod kept_out;
 mod kernel;
 mod level_of_body;
 mod meeting_time;

@@ -48,7 +48,9 @@ pub(super) fn collect_effects<S: BodyShape>(
         if !carried {
             slot.tally.pushed(by);
         }
-        slot.tally.hits = slot.tally.hits.saturating_add(u16::from(is_hit && moves));
+        if is_hit && moves {
+            slot.tally.hit(meeting.is_straight());
+        }
     }
     is_hit
 }
@@ -92,7 +94,7 @@ pub(super) fn collect_kicks<S: BodyShape, R: Replies>(
     let Some(meeting) = (if reply == Reply::Meet { by_surfaces } else { met(reply).filter(|_| reply.acts()) }) else {
         return;
     };
-    let hits = |slot: &Slot<S>, moves: bool| if moves { slot.tally.hits } else { 0 };
+    let hits = |slot: &Slot<S>, moves: bool| if moves { slot.tally.sharers(meeting.is_straight()) } else { 0 };
     let (by_a, by_b) = meeting.kicks(hits(a, meeting.moves_a).max(hits(b, meeting.moves_b)));
     for (at, by) in [(pair.a, by_a), (pair.b, by_b)] {
         if let Some(slot) = slots.get_mut(at.slot()) {

@@ -6,6 +6,7 @@
 
 use super::body::{ALOFT, FLIES, Mode, Slot};
 use super::body_way::{Drift, Pace, size};
+use super::kept_out::{Before, fixed_margin};
 use super::kernel::BodyShape;
 use super::level_of_body::View;
 use super::meeting_time::{around, may_meet, pair, senses};
@@ -36,9 +37,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let Self { near, slots, awake, count, memory, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
         let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
-        let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
-        let margin = fixed.map(|slot| size(slot.lift(trip.gravity))).max().unwrap_or(0);
-        let mut pile = Pile { near, slots, memory, trip, margin, stepped };
+        let fixed = fixed_margin(slots, trip.gravity);
+        let mut pile = Pile { near, slots, memory, trip, fixed, stepped };
         let mut calm = false;
         let mut at = 0;
         while at < lying {
@@ -90,16 +90,15 @@ struct Pile<'a, B, V, S, const M: usize> {
     slots: &'a mut [Slot<S>],
     memory: &'a mut [Remembered; M],
     trip: &'a Trip<'a, V>,
-    /// How far a fixed body may be from its position in the broad phase.
-    margin: u32,
+    /// How far a fixed body may be from its position in the broad phase, if there are any.
+    fixed: Option<u32>,
     stepped: &'a mut Stepped,
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usize> Pile<'_, B, V, S, M> {
     /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(&mut self, handle: Handle, replies: &mut impl Replies, each: &mut dyn FnMut(SceneEvent<'_>)) -> bool {
-        let Some(slot) = self.slots.get(handle.slot()) else { return false };
-        let ground = slot.ground_velocity(self.slots);
+        let ground = ground_under(self.slots, handle);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
         let known = slot.body.shape;
         let moved = slot.way.pace == Pace::Moved;
@@ -107,7 +106,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let (start, quiet) =
             (known.position() - by, if moved { slot.quiet_before(by) } else { slot.quiet_and_drift() });
         if !moved {
+            let before = self.fixed.map(|margin| Before::of(slot, margin));
             self.trip.make(slot, (handle, ground), self.memory, self.near, self.stepped, each);
+            if let Some(before) = before {
+                self.trip.keep_out((self.slots, self.near, self.memory), handle, &before, replies);
+            }
+            let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
             if slot.way.pace != Pace::Lies {
                 return false;
             }
@@ -194,10 +198,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
                 }
             });
         }
-        let push = slot.tally.push();
+        let mut push = slot.tally.push();
         if push != Vec2::ZERO {
             if let Some(rest) = rest_mut(self.memory, handle.slot()) {
                 rest.stays = false;
+            }
+            if let Some(margin) = self.fixed {
+                let from = Before::of(slot, margin);
+                let cut = self.trip.cut(self.slots, self.near, (handle, slot), (&from, push), replies);
+                (push, slot.body.velocity) = cut.unwrap_or((push, slot.body.velocity));
             }
             slot.body.shape = self.trip.slide(handle, &slot.body, push)?;
             let pressed = Pressed::of(slot, slot.ground_velocity(self.slots));
@@ -245,7 +254,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         if let Some(lower) = only {
             return ask(Handle::new(slot.tally.under.into(), lower.generation), lower);
         }
-        self.near.in_region(&around(&slot.body.shape.aabb(), self.margin), |other| {
+        self.near.in_region(&around(&slot.body.shape.aabb(), self.fixed.unwrap_or(0)), |other| {
             if let Some(lower) = self.slots.get(other.slot()) {
                 ask(other, lower);
             }
@@ -274,7 +283,7 @@ impl<S: BodyShape> Slot<S> {
 
     /// How the game moves a fixed body along gravity after the step. Across gravity it may be a
     /// conveyor.
-    fn lift(&self, gravity: Vec2) -> Vec2 {
+    pub(super) fn lift(&self, gravity: Vec2) -> Vec2 {
         let ((x, y), v) = (gravity.raw(), self.body.velocity);
         match (self.mode == Mode::Fixed, x == 0, y == 0) {
             (true, true, false) => Vec2::from_raw(0, v.raw().1),
@@ -284,7 +293,7 @@ impl<S: BodyShape> Slot<S> {
     }
 
     /// Its shape at the step's end.
-    fn comes_to(&self, gravity: Vec2) -> S {
+    pub(super) fn comes_to(&self, gravity: Vec2) -> S {
         let (shape, by) = (self.body.shape, self.lift(gravity));
         shape.translated(by).unwrap_or(shape)
     }
@@ -314,6 +323,12 @@ impl<S: BodyShape> Slot<S> {
         let ground = slots.get(usize::from(self.ground)).filter(|slot| slot.mode == Mode::Fixed);
         ground.map_or(Vec2::ZERO, |slot| slot.body.velocity)
     }
+}
+
+/// The velocity of the body that carries one and all below it.
+#[inline]
+pub(super) fn ground_under<S: BodyShape>(slots: &[Slot<S>], handle: Handle) -> Vec2 {
+    slots.get(handle.slot()).map_or(Vec2::ZERO, |slot| slot.ground_velocity(slots))
 }
 
 /// A push that leaves oblique bodies overlapping by at most a raw unit. A push rounded outward

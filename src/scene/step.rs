@@ -4,11 +4,13 @@ use super::body::{FLIES, Mode, NOBODY, Slot, Tally};
 use super::body_way::{BodyWay, Pace};
 use super::change::add_to_awake;
 use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
+use super::kept_out::{Before, fixed_margin};
 use super::kernel::BodyShape;
 use super::level_of_body::{Common, EachLevel, EachLevelTraced, View};
 use super::meeting_time::{around, may_meet, pair, senses};
 use super::memory::{Remembered, keep};
 use super::pairs::{both, collect_effects, collect_kicks, each_pair, join, note_who_lies, root};
+use super::piles::ground_under;
 use super::reply::{Answer, ByCall, Replies, Reply, Unasked};
 use super::resting::{NEAR, join_leaning, leans};
 use super::set::Sleep;
@@ -324,6 +326,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> bool {
         let Sleep { steps, .. } = self.sleep();
         let (mut calm, mut fast, mut piled) = (false, false, false);
+        // Asleep and fixed bodies are not in the list.
+        let fixed = if self.near.len() > self.count { fixed_margin(&self.slots, trip.gravity) } else { None };
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if !is_idle(&self.memory, handle.slot()) && slot.is_fast() {
@@ -336,16 +340,21 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.release_unreachable(trip, replies);
         }
         for &handle in self.awake.iter().take(self.count) {
-            let Some(slot) = self.slots.get(handle.slot()) else { continue };
-            let ground = slot.ground_velocity(&self.slots);
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if let Some(rest) = idle(&self.memory, handle.slot()) {
                 repeat(slot, handle, rest, stepped, each);
-                calm |= slot.quiet >= steps;
             } else if slot.way.pace == Pace::Slow {
+                let ground = ground_under(&self.slots, handle);
+                let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+                let before = fixed.map(|margin| Before::of(slot, margin));
                 trip.make(slot, (handle, ground), &mut self.memory, &mut self.near, stepped, each);
-                calm |= slot.quiet >= steps;
+                if let Some(before) = before {
+                    trip.keep_out((&mut self.slots, &mut self.near, &mut self.memory), handle, &before, replies);
+                }
+            } else {
+                continue;
             }
+            calm |= self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= steps);
         }
         if piled {
             calm |= self.settle(trip, stepped, replies, each);

@@ -118,6 +118,12 @@ impl Meeting {
         }
     }
 
+    /// Whether it changes only velocities along x, or along y.
+    pub(super) fn is_straight(&self) -> (bool, bool) {
+        let slick = self.surface.friction() == Ratio::ZERO && !self.sticks;
+        (slick && self.axis.y == 0, slick && self.axis.x == 0)
+    }
+
     /// Whether they approach.
     pub(super) fn is_hit(&self) -> bool {
         self.axis.dot_vec(self.a - self.b) > 0

@@ -11,6 +11,7 @@ mod fast_overlaps;
 mod filters;
 mod hanging;
 mod heaps;
+mod kept_out;
 mod leaning;
 mod pair_events;
 mod piles;

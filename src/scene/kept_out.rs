@@ -1,0 +1,185 @@
+//! Fixed bodies keep out those that are not fast.
+//!
+//! A slow body is tested where it starts. In one step it can enter a fixed body by half of its own
+//! size. In a gap between two of them, the pushes to both sides then cancel each other, and it
+//! passes. So a motion that ends deep in a fixed body is cut where the two meet. The next step
+//! finds an overlap that tells the direction of the surface.
+
+use super::SceneBody;
+use super::blocked_sides::blocked_sides;
+use super::body::{Mode, Slot};
+use super::body_way::size;
+use super::kernel::BodyShape;
+use super::level_of_body::View;
+use super::meeting_time::{around, may_meet, pair, senses};
+use super::memory::{Remembered, Start, keep};
+use super::reply::{Replies, Reply};
+use super::through_level::Trip;
+use super::velocities::{Top, toward};
+use crate::broad::{BroadPhase, Handle, Keyed};
+use crate::filter::Filter;
+use crate::motion::Surface;
+use crate::num::{Axis, Fx, Raw, Vec2, mul_div};
+
+/// The state of a body before its motion in a step.
+#[derive(Clone, Copy)]
+pub(super) struct Before<S> {
+    shape: S,
+    start: Start,
+    under: u16,
+    /// How far a fixed body may be from its position in the broad phase.
+    margin: u32,
+}
+
+/// The first fixed body that a motion leads into.
+#[derive(Clone, Copy)]
+struct First {
+    /// How far the body moves up to it, relative to it; `None` if it overlaps it already.
+    until: Option<Vec2>,
+    /// How far the game moves it after the step.
+    lift: Vec2,
+    /// The normal of its surface.
+    axis: Axis,
+    velocity: Vec2,
+    /// The order in which they are met: the time, the depth at the end, the key and the slot.
+    rank: (u32, i32, u32, usize),
+}
+
+/// How far fixed bodies move by the end of a step at most; `None` if there are none.
+pub(super) fn fixed_margin<S: BodyShape>(slots: &[Slot<S>], gravity: Vec2) -> Option<u32> {
+    let fixed = slots.iter().filter(|slot| slot.mode == Mode::Fixed);
+    fixed.map(|slot| size(slot.lift(gravity))).max()
+}
+
+impl<S: BodyShape> Before<S> {
+    pub(super) fn of(slot: &Slot<S>, margin: u32) -> Self {
+        Self { shape: slot.body.shape, start: Start::of(slot), under: slot.tally.under, margin }
+    }
+}
+
+impl<V> Trip<'_, V> {
+    /// Cuts the motion that a body has made, if it ends deep in a fixed body.
+    #[inline(never)]
+    pub(super) fn keep_out<S: BodyShape, B: BroadPhase<Tag = Keyed<Filter>>>(
+        &self,
+        (slots, near, memory): (&mut [Slot<S>], &mut B, &mut [Remembered]),
+        handle: Handle,
+        before: &Before<S>,
+        replies: &mut impl Replies,
+    ) where
+        V: View<S>,
+    {
+        let Some(&slot) = slots.get(handle.slot()) else { return };
+        let from = &before.shape;
+        let by = slot.body.shape.position() - from.position();
+        let Some((by, velocity)) = self.cut(slots, near, (handle, &slot), (before, by), replies) else { return };
+        let body = SceneBody { shape: *from, ..slot.body };
+        let to = self.touch(&body, by).map_or(*from, |touched| touched.shape);
+        if !slot.way.lies() && near.move_to(handle, &to.aabb()).is_err() {
+            return;
+        }
+        self.report_way(handle, &slot.body.shape, &to);
+        keep(memory, handle.slot(), None);
+        let by = to.position() - from.position();
+        let Some(slot) = slots.get_mut(handle.slot()) else { return };
+        let Start { quiet, blocked, drift, .. } = before.start;
+        (slot.body.shape, slot.body.velocity, slot.way.rate) = (to, velocity, by);
+        (slot.quiet, slot.blocked, slot.tally.drift, slot.tally.under) = (quiet, blocked, drift, before.under);
+        slot.block(blocked_sides(slot.tally.push(), by), by);
+        self.arrive(slot, by, slot.support, false);
+    }
+}
+
+impl<V> Trip<'_, V> {
+    /// The part of a motion from `before` that fixed bodies leave, and the body's velocity then.
+    /// `None` if they leave all of it.
+    #[inline(never)]
+    pub(super) fn cut<S: BodyShape>(
+        &self,
+        slots: &[Slot<S>],
+        near: &impl BroadPhase<Tag = Keyed<Filter>>,
+        (handle, slot): (Handle, &Slot<S>),
+        (before, by): (&Before<S>, Vec2),
+        replies: &mut impl Replies,
+    ) -> Option<(Vec2, Vec2)> {
+        let velocity = slot.body.velocity;
+        let mut first =
+            |by: Vec2| first_fixed(slots, near, (handle, slot), (before, by), (self.gravity, &mut *replies));
+        let met = first(by)?;
+        if let Some(until) = met.until {
+            return Some((met.lift + until + part(by - met.lift, depth(&before.shape)), velocity));
+        }
+        // It was answered at the start of the step, and still leads into it: others push, or another
+        // fixed body holds it.
+        let along = |v: Vec2| Surface::SLICK.respond(v, met.axis).unwrap_or(Vec2::ZERO);
+        let by = met.lift + along(by - met.lift);
+        let held = first(by).is_some();
+        Some(if held { (met.lift, met.velocity) } else { (by, met.velocity + along(velocity - met.velocity)) })
+    }
+}
+
+/// The fixed body that a motion leads into first, of those in which it ends deep and deeper than it
+/// starts.
+fn first_fixed<S: BodyShape>(
+    slots: &[Slot<S>],
+    near: &impl BroadPhase<Tag = Keyed<Filter>>,
+    (handle, slot): (Handle, &Slot<S>),
+    (before, by): (&Before<S>, Vec2),
+    (gravity, replies): (Vec2, &mut impl Replies),
+) -> Option<First> {
+    let from = &before.shape;
+    let (end, least) = (from.shifted(by), depth(from));
+    let mut first: Option<First> = None;
+    near.in_region(&around(&end.aabb(), before.margin), |other| {
+        let fixed = slots.get(other.slot()).filter(|at| at.mode == Mode::Fixed && may_meet(slot, at));
+        let Some(fixed) = fixed.filter(|at| !senses(slot, at)) else { return };
+        let it = &fixed.body;
+        let Some(contact) = fixed.comes_to(gravity).contact(&end).filter(|contact| contact.depth() > least) else {
+            return;
+        };
+        let deep = contact.depth();
+        // A body that lies on others is brought out of those below it once they have moved, if it is
+        // not too deep. Gravity leads it into the next stone of a floor before it is over that.
+        if slot.way.lies() && Top::of(contact.axis(), toward(gravity)) == Top::B {
+            let falls = deep.to_bits().unsigned_abs() <= size(gravity).saturating_mul(2);
+            if falls || (deep <= least * 32 && it.shape.touches(from)) {
+                return;
+            }
+        }
+        if it.shape.contact(from).is_some_and(|start| start.depth() >= deep) {
+            return;
+        }
+        let lift = fixed.lift(gravity);
+        let Some(hit) = from.run_into(by - lift, &it.shape, Vec2::ZERO) else { return };
+        if !matches!(replies.to(pair((handle, slot), (other, fixed))), Reply::Ignore | Reply::Cross) {
+            let rank = (hit.toi.raw(), -deep.to_bits(), it.key, other.slot());
+            let axis =
+                it.shape.contact(if hit.inside { from } else { &end }).map_or(hit.axis, |contact| contact.axis());
+            let met =
+                First { until: (!hit.inside).then_some(hit.displacement), axis, lift, velocity: it.velocity, rank };
+            if first.is_none_or(|first| rank < first.rank) {
+                first = Some(met);
+            }
+        }
+    });
+    first
+}
+
+/// How deep a slow body may end in a fixed one: 1/256 of its smaller side. It then still overlaps it
+/// at the side from which it came.
+fn depth<S: BodyShape>(shape: &S) -> Fx {
+    let bounds = shape.aabb();
+    let Raw { x, y } = bounds.hi().sub(bounds.lo());
+    Fx::from_bits((x.min(y) >> 8).max(1))
+}
+
+/// The part of a motion that is at most this long.
+fn part(by: Vec2, length: Fx) -> Vec2 {
+    let (most, whole) = (length.to_bits().unsigned_abs(), size(by));
+    let of = |c: i32| {
+        let part = mul_div(c.unsigned_abs(), most.min(whole), whole) as i32;
+        if c < 0 { part.wrapping_neg() } else { part }
+    };
+    let Raw { x, y } = Raw::of(by);
+    if whole == 0 { Vec2::ZERO } else { Raw { x: of(x), y: of(y) }.vec2() }
+}
