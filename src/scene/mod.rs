@@ -152,11 +152,11 @@
 //!
 //! # Limits
 //!
-//! - **Bodies sink into others that can move.** A ball that rests between two others overlaps them. At
-//!   a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60 some
-//!   overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. So does a crate in a
-//!   row that a hero presses against a wall. Flag all of them as `fast`: they then stay where they
-//!   meet.
+//! - **Bodies sink into others that can move.** A ball that rests between two others overlaps them.
+//!   At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60
+//!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. So may a crate
+//!   in a row that a hero presses against a wall. Flag all of them as `fast`: they then stay where
+//!   they meet.
 //! - **Large heaps may keep moving**: of balls without friction, none of 180 heaps of 8 to 24, and
 //!   an eighth of those of 60. Balls among boxes swing longer.
 //! - **A fast body on a fixed one** that the game [places](Scene::place) may be behind by what
