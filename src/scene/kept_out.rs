@@ -109,8 +109,8 @@ impl<V> Trip<'_, V> {
         if let Some(until) = met.until {
             return Some((met.lift + until + part(by - met.lift, depth(&before.shape)), velocity));
         }
-        // It was answered at the start of the step, and still leads into it: others push, or another
-        // fixed body holds it.
+        // It was answered at the start of the step, and still leads into it: others push, or
+        // another fixed body holds it.
         let along = |v: Vec2| Surface::SLICK.respond(v, met.axis).unwrap_or(Vec2::ZERO);
         let by = met.lift + along(by - met.lift);
         let held = first(by).is_some();
@@ -128,7 +128,7 @@ fn first_fixed<S: BodyShape>(
     (gravity, replies): (Vec2, &mut impl Replies),
 ) -> Option<First> {
     let from = &before.shape;
-    let (end, least) = (from.shifted(by), depth(from));
+    let (end, least) = (from.translated(by).ok()?, depth(from));
     let mut first: Option<First> = None;
     near.in_region(&around(&end.aabb(), before.margin), |other| {
         let fixed = slots.get(other.slot()).filter(|at| at.mode == Mode::Fixed && may_meet(slot, at));
@@ -138,8 +138,8 @@ fn first_fixed<S: BodyShape>(
             return;
         };
         let deep = contact.depth();
-        // A body that lies on others is brought out of those below it once they have moved, if it is
-        // not too deep. Gravity leads it into the next stone of a floor before it is over that.
+        // A body that lies on others is brought out of those below it once they have moved, if it
+        // is not too deep. Gravity leads it into the next stone of a floor before it is over that.
         if slot.way.lies() && Top::of(contact.axis(), toward(gravity)) == Top::B {
             let falls = deep.to_bits().unsigned_abs() <= size(gravity).saturating_mul(2);
             if falls || (deep <= least * 32 && it.shape.touches(from)) {
@@ -153,10 +153,9 @@ fn first_fixed<S: BodyShape>(
         let Some(hit) = from.run_into(by - lift, &it.shape, Vec2::ZERO) else { return };
         if !matches!(replies.to(pair((handle, slot), (other, fixed))), Reply::Ignore | Reply::Cross) {
             let rank = (hit.toi.raw(), -deep.to_bits(), it.key, other.slot());
-            let axis =
-                it.shape.contact(if hit.inside { from } else { &end }).map_or(hit.axis, |contact| contact.axis());
-            let met =
-                First { until: (!hit.inside).then_some(hit.displacement), axis, lift, velocity: it.velocity, rank };
+            let until = (!hit.inside).then_some(hit.displacement);
+            let axis = it.shape.contact(from).map_or(hit.axis, |contact| contact.axis());
+            let met = First { until, axis, lift, velocity: it.velocity, rank };
             if first.is_none_or(|first| rank < first.rank) {
                 first = Some(met);
             }
@@ -165,8 +164,8 @@ fn first_fixed<S: BodyShape>(
     first
 }
 
-/// How deep a slow body may end in a fixed one: 1/256 of its smaller side. It then still overlaps it
-/// at the side from which it came.
+/// How deep a slow body may end in a fixed one: 1/256 of its smaller side. It then still overlaps
+/// it at the side from which it came.
 fn depth<S: BodyShape>(shape: &S) -> Fx {
     let bounds = shape.aabb();
     let Raw { x, y } = bounds.hi().sub(bounds.lo());

@@ -128,8 +128,8 @@ fn walls_of_a_room_each_turn_their_own_component() {
     }
 }
 
-/// A crowd among pegs, in a bin of fixed walls. Others may press down a body that lies on a peg; the
-/// next step brings it out.
+/// A crowd among pegs, in a bin of fixed walls. Others may press down a body that lies on a peg;
+/// the next step brings it out.
 #[test]
 fn a_crowd_does_not_press_a_body_into_a_fixed_one() {
     let mut deepest = Fx::ZERO;

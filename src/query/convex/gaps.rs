@@ -135,8 +135,8 @@ impl BoxGaps {
     /// as far, and for a box without area.
     ///
     /// Half sides are below 2^29 and the way is below 2^31. A product of two vectors is off by less
-    /// than 2^-51 of the product of their lengths. So heights and feet, over the length of the side,
-    /// are off by far less than a 16th of a raw unit.
+    /// than 2^-51 of the product of their lengths. So heights and feet, over the length of the
+    /// side, are off by far less than a 16th of a raw unit.
     #[inline(always)]
     fn meet(&self, radius: i32) -> Option<bool> {
         let [TwoGaps { height, beyond, len2 }] = self.gaps.gaps;
