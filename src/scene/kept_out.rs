@@ -2,8 +2,9 @@
 //!
 //! A slow body is tested where it starts. In one step it can enter a fixed body by half of its own
 //! size. In a gap between two of them, the pushes to both sides then cancel each other, and it
-//! passes. So a motion that ends deep in a fixed body is cut where the two meet. The next step
-//! finds an overlap that tells the direction of the surface.
+//! passes. So a motion that ends deep in a fixed body is cut where the two meet, and the body's
+//! velocity is answered there. Without a bounce it goes on along the surface. The next step finds
+//! an overlap that tells the direction of the surface, and reports the touch.
 
 use super::SceneBody;
 use super::blocked_sides::blocked_sides;
@@ -15,7 +16,7 @@ use super::meeting_time::{around, may_meet, pair, senses};
 use super::memory::{Remembered, Start, keep};
 use super::reply::{Replies, Reply};
 use super::through_level::Trip;
-use super::velocities::{Top, toward};
+use super::velocities::{Meeting, toward};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::Surface;
@@ -41,6 +42,8 @@ struct First {
     /// The normal of its surface.
     axis: Axis,
     velocity: Vec2,
+    /// How it changes the velocity of the body.
+    kick: Vec2,
     /// The order in which they are met: the time, the depth at the end, the key and the slot.
     rank: (u32, i32, u32, usize),
 }
@@ -106,15 +109,25 @@ impl<V> Trip<'_, V> {
         let mut first =
             |by: Vec2| first_fixed(slots, near, (handle, slot), (before, by), (self.gravity, &mut *replies));
         let met = first(by)?;
-        if let Some(until) = met.until {
-            return Some((met.lift + until + part(by - met.lift, depth(&before.shape)), velocity));
-        }
-        // It was answered at the start of the step, and still leads into it: others push, or
-        // another fixed body holds it.
         let along = |v: Vec2| Surface::SLICK.respond(v, met.axis).unwrap_or(Vec2::ZERO);
-        let by = met.lift + along(by - met.lift);
-        let held = first(by).is_some();
-        Some(if held { (met.lift, met.velocity) } else { (by, met.velocity + along(velocity - met.velocity)) })
+        let Some(until) = met.until else {
+            // It was answered at the start of the step, and still leads into it: others push, or
+            // another fixed body holds it.
+            let by = met.lift + along(by - met.lift);
+            let held = first(by).is_some();
+            return Some(if held {
+                (met.lift, met.velocity)
+            } else {
+                (by, met.velocity + along(velocity - met.velocity))
+            });
+        };
+        // Answered at once: if the game places the other elsewhere, the next step may not find it.
+        let up_to = met.lift + until + part(by - met.lift, depth(&before.shape));
+        let left = velocity + met.kick;
+        // Along a surface that it does not bounce off, it makes the rest.
+        let rest = up_to + along(by - up_to);
+        let goes = along(left - met.velocity) == left - met.velocity && first(rest).is_none();
+        Some((if goes { rest } else { up_to }, left))
     }
 }
 
@@ -138,26 +151,34 @@ fn first_fixed<S: BodyShape>(
             return;
         };
         let deep = contact.depth();
-        // A body that lies on others is brought out of those below it once they have moved, if it
-        // is not too deep. Gravity leads it into the next stone of a floor before it is over that.
-        if slot.way.lies() && Top::of(contact.axis(), toward(gravity)) == Top::B {
-            let falls = deep.to_bits().unsigned_abs() <= size(gravity).saturating_mul(2);
-            if falls || (deep <= least * 32 && it.shape.touches(from)) {
-                return;
-            }
-        }
         if it.shape.contact(from).is_some_and(|start| start.depth() >= deep) {
             return;
         }
         let lift = fixed.lift(gravity);
         let Some(hit) = from.run_into(by - lift, &it.shape, Vec2::ZERO) else { return };
-        if !matches!(replies.to(pair((handle, slot), (other, fixed))), Reply::Ignore | Reply::Cross) {
+        let (mut until, mut axis) = ((!hit.inside).then_some(hit.displacement), hit.axis);
+        if let Some(contact) = it.shape.contact(from) {
+            axis = contact.axis();
+        }
+        if slot.way.lies() {
+            // It is brought out of those below it once they have moved, if it is not too deep. What
+            // is below does not stop it across gravity: not the next stone of a floor, either.
+            let up = toward(gravity).reversed();
+            let across = Surface::SLICK.respond(by - lift, up).unwrap_or(Vec2::ZERO);
+            if from.run_into(across, &it.shape, Vec2::ZERO).is_none() {
+                if deep <= least * 32 {
+                    return;
+                }
+                (until, axis) = (None, up);
+            }
+        }
+        let reply = replies.to(pair((handle, slot), (other, fixed)));
+        if !matches!(reply, Reply::Ignore | Reply::Cross) {
             let rank = (hit.toi.raw(), -deep.to_bits(), it.key, other.slot());
-            let until = (!hit.inside).then_some(hit.displacement);
-            let axis = it.shape.contact(from).map_or(hit.axis, |contact| contact.axis());
-            let met = First { until, axis, lift, velocity: it.velocity, rank };
             if first.is_none_or(|first| rank < first.rank) {
-                first = Some(met);
+                let kick = Meeting::of(fixed, slot, (axis, reply), gravity).filter(Meeting::is_hit);
+                let kick = kick.map_or(Vec2::ZERO, |meeting| meeting.kicks(1).1);
+                first = Some(First { until, axis, lift, velocity: it.velocity, kick, rank });
             }
         }
     });

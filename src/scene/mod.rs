@@ -72,8 +72,8 @@
 //!   the whole correction. A heavy body can sink into a light one at a wall by two of its steps,
 //!   plus what gravity adds in three.
 //! - **Fixed bodies keep out all others.** The motion of a slow body ends where it would enter one
-//!   by more than 1/256 of its smaller side. So nothing passes a gap that is too narrow. Others may
-//!   press a body that lies on one into it by an eighth of that side.
+//!   by more than 1/256 of its smaller side, or goes on along it. A body that lies on one may be in
+//!   it by an eighth of that side. So nothing passes a gap that is too narrow.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
 //! - **Order does not matter**, neither of insertion nor of the broad phase, nor the choice of
 //!   broad phase. For this, keys must be unique (otherwise slots decide). Events come in no
@@ -157,7 +157,7 @@
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. So may a crate
 //!   in a row that a hero presses against a wall. Flag all of them as `fast`: they then stay where
 //!   they meet.
-//! - **Large heaps may keep moving**: of balls without friction, none of 180 heaps of 8 to 24, and
+//! - **Large heaps may keep moving**: of balls without friction, 2 of 180 heaps of 8 to 24, and
 //!   an eighth of those of 60. Balls among boxes swing longer.
 //! - **A fast body on a fixed one** that the game [places](Scene::place) may be behind by what
 //!   gravity adds in a step.

@@ -166,8 +166,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// stays makes none. A tile on two paths is reported on both.
     ///
     /// If the broad phase refuses the end of a path, the body is [held](SceneEvent::Held) at its
-    /// old position, and the path was already reported. A scene that [remembers](Self::remembering)
-    /// looks in these steps like any other.
+    /// old position, and the path was already reported. If a fixed body ends a motion, one path
+    /// leads on, by up to half of the body, and the next one back. A scene that
+    /// [remembers](Self::remembering) looks in these steps like any other.
     ///
     /// Cost: that of `step_in`. A program that calls both links the step twice.
     ///
