@@ -90,18 +90,18 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 81 025 | 5 872 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 94 015 | 6 152 | 3 656 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 122 353 | 6 152 | 4 408 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 120 | 3 808 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 6 936 | 4 776 |
+/// | boxes and circles | 84 429 | 5 872 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 97 379 | 6 240 | 3 656 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 125 741 | 6 240 | 4 408 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 152 | 3 808 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 7 048 | 4 776 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 214 267 |
-/// | fly and land, at most | 401 129 |
-/// | lie in nooks of slopes, none may sleep | 826 350 |
-/// | the same, if the scene [remembers](Self::remembering) | 55 510 |
+/// | fly and land, mean | 214 218 |
+/// | fly and land, at most | 401 111 |
+/// | lie in nooks of slopes, none may sleep | 826 726 |
+/// | the same, if the scene [remembers](Self::remembering) | 54 373 |
 /// | sleep | 57 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
