@@ -34,7 +34,7 @@ pub(super) struct Before<S> {
 
 /// The first fixed body that a motion leads into.
 #[derive(Clone, Copy)]
-struct First {
+struct FirstFixed {
     /// How far the body moves up to it, relative to it; `None` if it overlaps it already.
     until: Option<Vec2>,
     /// How far the game moves it after the step.
@@ -139,10 +139,10 @@ fn first_fixed<S: BodyShape>(
     (handle, slot): (Handle, &Slot<S>),
     (before, by): (&Before<S>, Vec2),
     (gravity, replies): (Vec2, &mut impl Replies),
-) -> Option<First> {
+) -> Option<FirstFixed> {
     let from = &before.shape;
     let (end, least) = (from.translated(by).ok()?, depth(from));
-    let mut first: Option<First> = None;
+    let mut first: Option<FirstFixed> = None;
     near.in_region(&around(&end.aabb(), before.margin), |other| {
         let fixed = slots.get(other.slot()).filter(|at| at.mode == Mode::Fixed && may_meet(slot, at));
         let Some(fixed) = fixed.filter(|at| !senses(slot, at)) else { return };
@@ -178,7 +178,7 @@ fn first_fixed<S: BodyShape>(
             if first.is_none_or(|first| rank < first.rank) {
                 let kick = Meeting::of(fixed, slot, (axis, reply), gravity).filter(Meeting::is_hit);
                 let kick = kick.map_or(Vec2::ZERO, |meeting| meeting.kicks(1).1);
-                first = Some(First { until, axis, lift, velocity: it.velocity, kick, rank });
+                first = Some(FirstFixed { until, axis, lift, velocity: it.velocity, kick, rank });
             }
         }
     });
