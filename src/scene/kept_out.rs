@@ -16,11 +16,11 @@ use super::meeting_time::{around, may_meet, pair, senses};
 use super::memory::{Remembered, Start, keep};
 use super::reply::{Replies, Reply};
 use super::through_level::Trip;
-use super::velocities::{Meeting, toward};
+use super::velocities::{Meeting, part, toward};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::Surface;
-use crate::num::{Axis, Fx, Raw, Vec2, mul_div};
+use crate::num::{Axis, Fx, Raw, Vec2};
 
 /// The state of a body before its motion in a step.
 #[derive(Clone, Copy)]
@@ -28,8 +28,6 @@ pub(super) struct Before<S> {
     shape: S,
     start: Start,
     under: u16,
-    /// How far a fixed body may be from its position in the broad phase.
-    margin: u32,
 }
 
 /// The first fixed body that a motion leads into.
@@ -55,8 +53,8 @@ pub(super) fn fixed_margin<S: BodyShape>(slots: &[Slot<S>], gravity: Vec2) -> Op
 }
 
 impl<S: BodyShape> Before<S> {
-    pub(super) fn of(slot: &Slot<S>, margin: u32) -> Self {
-        Self { shape: slot.body.shape, start: Start::of(slot), under: slot.tally.under, margin }
+    pub(super) fn of(slot: &Slot<S>) -> Self {
+        Self { shape: slot.body.shape, start: Start::of(slot), under: slot.tally.under }
     }
 }
 
@@ -72,10 +70,10 @@ impl<V> Trip<'_, V> {
     ) where
         V: View<S>,
     {
-        let Some(&slot) = slots.get(handle.slot()) else { return };
+        let Some(slot) = slots.get(handle.slot()) else { return };
         let from = &before.shape;
         let by = slot.body.shape.position() - from.position();
-        let Some((by, velocity)) = self.cut(slots, near, (handle, &slot), (before, by), replies) else { return };
+        let Some((by, velocity)) = self.cut(slots, near, (handle, slot), (from, by), replies) else { return };
         let body = SceneBody { shape: *from, ..slot.body };
         let to = self.touch(&body, by).map_or(*from, |touched| touched.shape);
         if !slot.way.lies() && near.move_to(handle, &to.aabb()).is_err() {
@@ -91,10 +89,8 @@ impl<V> Trip<'_, V> {
         slot.block(blocked_sides(slot.tally.push(), by), by);
         self.arrive(slot, by, slot.support, false);
     }
-}
 
-impl<V> Trip<'_, V> {
-    /// The part of a motion from `before` that fixed bodies leave, and the body's velocity then.
+    /// The part of a motion from a place that fixed bodies leave, and the body's velocity then.
     /// `None` if they leave all of it.
     #[inline(never)]
     pub(super) fn cut<S: BodyShape>(
@@ -102,12 +98,12 @@ impl<V> Trip<'_, V> {
         slots: &[Slot<S>],
         near: &impl BroadPhase<Tag = Keyed<Filter>>,
         (handle, slot): (Handle, &Slot<S>),
-        (before, by): (&Before<S>, Vec2),
+        (from, by): (&S, Vec2),
         replies: &mut impl Replies,
     ) -> Option<(Vec2, Vec2)> {
-        let velocity = slot.body.velocity;
+        let (velocity, margin) = (slot.body.velocity, self.fixed?);
         let mut first =
-            |by: Vec2| first_fixed(slots, near, (handle, slot), (before, by), (self.gravity, &mut *replies));
+            |by: Vec2| first_fixed(slots, near, (handle, slot), (from, by), margin, (self.gravity, &mut *replies));
         let met = first(by)?;
         let along = |v: Vec2| Surface::SLICK.respond(v, met.axis).unwrap_or(Vec2::ZERO);
         let Some(until) = met.until else {
@@ -122,7 +118,7 @@ impl<V> Trip<'_, V> {
             });
         };
         // Answered at once: if the game places the other elsewhere, the next step may not find it.
-        let up_to = met.lift + until + part(by - met.lift, depth(&before.shape));
+        let up_to = met.lift + until + shortened(by - met.lift, depth(from));
         let left = velocity + met.kick;
         // Along a surface that it does not bounce off, it makes the rest.
         let rest = up_to + along(by - up_to);
@@ -137,13 +133,13 @@ fn first_fixed<S: BodyShape>(
     slots: &[Slot<S>],
     near: &impl BroadPhase<Tag = Keyed<Filter>>,
     (handle, slot): (Handle, &Slot<S>),
-    (before, by): (&Before<S>, Vec2),
+    (from, by): (&S, Vec2),
+    margin: u32,
     (gravity, replies): (Vec2, &mut impl Replies),
 ) -> Option<FirstFixed> {
-    let from = &before.shape;
     let (end, least) = (from.translated(by).ok()?, depth(from));
     let mut first: Option<FirstFixed> = None;
-    near.in_region(&around(&end.aabb(), before.margin), |other| {
+    near.in_region(&around(&end.aabb(), margin), |other| {
         let fixed = slots.get(other.slot()).filter(|at| at.mode == Mode::Fixed && may_meet(slot, at));
         let Some(fixed) = fixed.filter(|at| !senses(slot, at)) else { return };
         let it = &fixed.body;
@@ -151,15 +147,14 @@ fn first_fixed<S: BodyShape>(
             return;
         };
         let deep = contact.depth();
-        if it.shape.contact(from).is_some_and(|start| start.depth() >= deep) {
+        let start = it.shape.contact(from);
+        if start.is_some_and(|start| start.depth() >= deep) {
             return;
         }
         let lift = fixed.lift(gravity);
         let Some(hit) = from.run_into(by - lift, &it.shape, Vec2::ZERO) else { return };
-        let (mut until, mut axis) = ((!hit.inside).then_some(hit.displacement), hit.axis);
-        if let Some(contact) = it.shape.contact(from) {
-            axis = contact.axis();
-        }
+        let mut until = (!hit.inside).then_some(hit.displacement);
+        let mut axis = start.map_or(hit.axis, |start| start.axis());
         if slot.way.lies() {
             // It is brought out of those below it once they have moved, if it is not too deep. What
             // is below does not stop it across gravity: not the next stone of a floor, either.
@@ -194,12 +189,6 @@ fn depth<S: BodyShape>(shape: &S) -> Fx {
 }
 
 /// The part of a motion that is at most this long.
-fn part(by: Vec2, length: Fx) -> Vec2 {
-    let (most, whole) = (length.to_bits().unsigned_abs(), size(by));
-    let of = |c: i32| {
-        let part = mul_div(c.unsigned_abs(), most.min(whole), whole) as i32;
-        if c < 0 { part.wrapping_neg() } else { part }
-    };
-    let Raw { x, y } = Raw::of(by);
-    if whole == 0 { Vec2::ZERO } else { Raw { x: of(x), y: of(y) }.vec2() }
+fn shortened(by: Vec2, length: Fx) -> Vec2 {
+    part(by, length.to_bits().unsigned_abs(), size(by))
 }

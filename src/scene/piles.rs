@@ -6,7 +6,7 @@
 
 use super::body::{ALOFT, FLIES, Mode, Slot};
 use super::body_way::{Drift, Pace, size};
-use super::kept_out::{Before, fixed_margin};
+use super::kept_out::Before;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
 use super::meeting_time::{around, may_meet, pair, senses};
@@ -37,8 +37,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let Self { near, slots, awake, count, memory, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
         let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
-        let fixed = fixed_margin(slots, trip.gravity);
-        let mut pile = Pile { near, slots, memory, trip, fixed, stepped };
+        let mut pile = Pile { near, slots, memory, trip, stepped };
         let mut calm = false;
         let mut at = 0;
         while at < lying {
@@ -90,8 +89,6 @@ struct Pile<'a, B, V, S, const M: usize> {
     slots: &'a mut [Slot<S>],
     memory: &'a mut [Remembered; M],
     trip: &'a Trip<'a, V>,
-    /// How far a fixed body may be from its position in the broad phase, if there are any.
-    fixed: Option<u32>,
     stepped: &'a mut Stepped,
 }
 
@@ -106,9 +103,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let (start, quiet) =
             (known.position() - by, if moved { slot.quiet_before(by) } else { slot.quiet_and_drift() });
         if !moved {
-            let before = self.fixed.map(|margin| Before::of(slot, margin));
+            let before = Before::of(slot);
             self.trip.make(slot, (handle, ground), self.memory, self.near, self.stepped, each);
-            if let Some(before) = before {
+            if self.trip.fixed.is_some() {
                 self.trip.keep_out((self.slots, self.near, self.memory), handle, &before, replies);
             }
             let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
@@ -203,10 +200,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             if let Some(rest) = rest_mut(self.memory, handle.slot()) {
                 rest.stays = false;
             }
-            if let Some(margin) = self.fixed {
-                let from = Before::of(slot, margin);
-                let cut = self.trip.cut(self.slots, self.near, (handle, slot), (&from, push), replies);
-                (push, slot.body.velocity) = cut.unwrap_or((push, slot.body.velocity));
+            if let Some(cut) = self.trip.cut(self.slots, self.near, (handle, slot), (&slot.body.shape, push), replies) {
+                (push, slot.body.velocity) = cut;
             }
             slot.body.shape = self.trip.slide(handle, &slot.body, push)?;
             let pressed = Pressed::of(slot, slot.ground_velocity(self.slots));
@@ -254,7 +249,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         if let Some(lower) = only {
             return ask(Handle::new(slot.tally.under.into(), lower.generation), lower);
         }
-        self.near.in_region(&around(&slot.body.shape.aabb(), self.fixed.unwrap_or(0)), |other| {
+        self.near.in_region(&around(&slot.body.shape.aabb(), self.trip.fixed.unwrap_or(0)), |other| {
             if let Some(lower) = self.slots.get(other.slot()) {
                 ask(other, lower);
             }

@@ -234,7 +234,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             stepped.woken = (self.count - awake) as u16;
             self.mark_woken(awake);
         }
-        let trip = Trip::new(view, gravity, self.sleep(), N);
+        // Asleep and fixed bodies are not in the list.
+        let fixed = if self.near.len() > self.count { fixed_margin(&self.slots, gravity) } else { None };
+        let trip = Trip::new(view, gravity, fixed, self.sleep(), N);
         if self.travel(&trip, &mut stepped, replies, each) {
             self.fall_asleep(&trip, &mut stepped, replies);
         }
@@ -327,8 +329,6 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> bool {
         let Sleep { steps, .. } = self.sleep();
         let (mut calm, mut fast, mut piled) = (false, false, false);
-        // Asleep and fixed bodies are not in the list.
-        let fixed = if self.near.len() > self.count { fixed_margin(&self.slots, trip.gravity) } else { None };
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if !is_idle(&self.memory, handle.slot()) && slot.is_fast() {
@@ -347,9 +347,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             } else if slot.way.pace == Pace::Slow {
                 let ground = ground_under(&self.slots, handle);
                 let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-                let before = fixed.map(|margin| Before::of(slot, margin));
+                let before = Before::of(slot);
                 trip.make(slot, (handle, ground), &mut self.memory, &mut self.near, stepped, each);
-                if let Some(before) = before {
+                if trip.fixed.is_some() {
                     trip.keep_out((&mut self.slots, &mut self.near, &mut self.memory), handle, &before, replies);
                 }
             } else {

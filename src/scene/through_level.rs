@@ -22,15 +22,17 @@ pub(super) struct Trip<'a, V> {
     view: &'a V,
     mover: Sliding,
     pub(super) gravity: Vec2,
+    /// How far a fixed body may be from its position in the broad phase, if there are any.
+    pub(super) fixed: Option<u32>,
     sleep: Sleep,
     /// The first place in the memory for short motions.
     ways: usize,
 }
 
 impl<'a, V> Trip<'a, V> {
-    pub(super) fn new(view: &'a V, gravity: Vec2, sleep: Sleep, ways: usize) -> Self {
+    pub(super) fn new(view: &'a V, gravity: Vec2, fixed: Option<u32>, sleep: Sleep, ways: usize) -> Self {
         let mover = sliding(Mover::platformer(toward(gravity).reversed()));
-        Self { view, mover, gravity, sleep, ways }
+        Self { view, mover, gravity, fixed, sleep, ways }
     }
 }
 

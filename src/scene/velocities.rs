@@ -146,7 +146,8 @@ impl Meeting {
         let Ok((a, b)) = exchange(self.a, self.b, axis, self.masses, &self.surface) else {
             return (Vec2::ZERO, Vec2::ZERO);
         };
-        (part(a - self.a, hits), part(b - self.b, hits))
+        let one = |change: Vec2| part(change, 1, hits.into());
+        (one(a - self.a), one(b - self.b))
     }
 }
 
@@ -194,15 +195,15 @@ pub(super) fn toward(v: Vec2) -> Axis {
     Axis::new(x, y)
 }
 
-/// `v / n`, toward zero.
-fn part(v: Vec2, n: u16) -> Vec2 {
-    if n <= 1 {
+/// `v * n / of`, toward zero, and at most `v`.
+pub(super) fn part(v: Vec2, n: u32, of: u32) -> Vec2 {
+    if n >= of {
         return v;
     }
-    let of = |c: i32| {
-        let size = mul_div(c.unsigned_abs(), 1, n.into()) as i32;
+    let share = |c: i32| {
+        let size = mul_div(c.unsigned_abs(), n, of) as i32;
         if c < 0 { size.wrapping_neg() } else { size }
     };
     let (x, y) = v.raw();
-    Vec2::from_raw(of(x), of(y))
+    Vec2::from_raw(share(x), share(y))
 }

@@ -190,7 +190,7 @@ fn bodies_escape_from_random_levels() {
 fn turning_never_ends_inside() {
     let mut random = Random::new(94);
     let (mut same, mut pushed, mut refused) = (0u64, 0u64, 0u64);
-    for _ in 0..cases(1_500) {
+    for _ in 0..cases(2_500) {
         let tiles = tiles(&mut random);
         let map = level(&tiles);
         for _ in 0..12 {
@@ -226,5 +226,5 @@ fn turning_never_ends_inside() {
         }
     }
     println!("{same} as asked, {pushed} pushed, {refused} refused");
-    assert!(same > 100 && pushed > 100 && refused > 5, "{same} {pushed} {refused}");
+    assert!(same > 100 && pushed > 100 && refused > 10, "{same} {pushed} {refused}");
 }

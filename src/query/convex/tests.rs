@@ -278,16 +278,28 @@ fn tied_sides_of_quads() {
     assert!(enough(told > few && tied > few), "{told} {tied}");
 }
 
+/// Compares the ways for these pairs of quads, of which some overlap and some do not.
+fn both_answers(seed: u64, count: u64, pair: impl Fn(&mut Random) -> Option<(ConvexPolygon<4>, ConvexPolygon<4>)>) {
+    let mut r = Random::new(seed);
+    let (mut hits, mut apart) = (0u64, 0u64);
+    for _ in 0..cases(count) {
+        let Some((a, b)) = pair(&mut r) else { continue };
+        let (open, ..) = same_of_quads(&a, &b);
+        hits += u64::from(open);
+        apart += u64::from(!open);
+    }
+    let few = cases(count) / 40;
+    assert!(enough(hits > few && apart > few), "{hits} {apart}");
+}
+
 /// Long sides with a height of a few thousand square units.
 #[test]
 fn least_heights_of_large_quads() {
-    let mut r = Random::new(88);
-    let (mut hits, mut apart) = (0u64, 0u64);
-    for _ in 0..cases(60_000) {
+    both_answers(88, 60_000, |r| {
         let most = (1 << 28) - 1;
         let (x, y) = (r.within(1 << 27, most) * r.sign(), r.within(1 << 26, most) * r.sign());
         let e = Raw { x: x as i32, y: y as i32 };
-        let Some(by) = across_by_one(e) else { continue };
+        let by = across_by_one(e)?;
         // A corner near the middle of the side, a little on the left of it or on the right.
         let height = r.around(8000);
         let across = (i128::from(by.0) * i128::from(height), i128::from(by.1) * i128::from(height));
@@ -299,24 +311,17 @@ fn least_heights_of_large_quads() {
         let a = [from, to, (to.0 / 2 - right.0, to.1 / 2 - right.1), (from.0 / 2 - right.0, from.1 / 2 - right.1)];
         let next = |k: i64, l: i64| (corner.0 + right.0 / 2 + x / k, corner.1 + right.1 / 2 + y / l);
         let b = [corner, next(-4, -4), (corner.0 + right.0, corner.1 + right.1), next(4, 4)];
-        let (Ok(a), Ok(b)) = (ConvexPolygon::new(&a.map(vec)), ConvexPolygon::new(&b.map(vec))) else { continue };
-        let (open, ..) = same_of_quads(&a, &b);
-        hits += u64::from(open);
-        apart += u64::from(!open);
-    }
-    let few = cases(60_000) / 40;
-    assert!(enough(hits > few && apart > few), "{hits} {apart}");
+        Some((ConvexPolygon::new(&a.map(vec)).ok()?, ConvexPolygon::new(&b.map(vec)).ok()?))
+    });
 }
 
 /// Corners of two quads nearly on one line, on both sides of it: floats cannot tell the side.
 #[test]
 fn corners_nearly_on_a_long_side() {
-    let mut r = Random::new(90);
-    let (mut hits, mut apart) = (0u64, 0u64);
-    for _ in 0..cases(60_000) {
+    both_answers(90, 60_000, |r| {
         let most = (1 << 27) - 1;
         let (x, y) = (r.within(1 << 26, most) * r.sign(), r.within(1 << 25, most) * r.sign());
-        let Some((s, t)) = across_by_one(Raw { x: x as i32, y: y as i32 }) else { continue };
+        let (s, t) = across_by_one(Raw { x: x as i32, y: y as i32 })?;
         // On the left of the line by a few square units, and after so many lengths of the edge.
         let at = |height: i64, steps: i64| {
             let back = (height * s * x + height * t * y) / (x * x + y * y);
@@ -324,40 +329,26 @@ fn corners_nearly_on_a_long_side() {
         };
         let few = |r: &mut Random| r.within(0, 3);
         let (from, to) = (at(0, -4), at(0, 4));
-        let (third, fourth) =
-            if r.one_in(2) { ((-y, x), at(few(&mut r), -2)) } else { (at(few(&mut r), 2), at(few(&mut r), -2)) };
+        let (third, fourth) = if r.one_in(2) { ((-y, x), at(few(r), -2)) } else { (at(few(r), 2), at(few(r), -2)) };
         let beyond = at(r.around(1), 0);
-        let far = if r.one_in(2) { (y, -x) } else { at(-few(&mut r) - 4, 0) };
-        let b = [at(-few(&mut r), -3), beyond, at(-few(&mut r), 2), far];
-        let (Ok(a), Ok(b)) = (ConvexPolygon::new(&[from, to, third, fourth].map(vec)), ConvexPolygon::new(&b.map(vec)))
-        else {
-            continue;
-        };
-        let (open, ..) = same_of_quads(&a, &b);
-        hits += u64::from(open);
-        apart += u64::from(!open);
-    }
-    let few = cases(60_000) / 40;
-    assert!(enough(hits > few && apart > few), "{hits} {apart}");
+        let far = if r.one_in(2) { (y, -x) } else { at(-few(r) - 4, 0) };
+        let b = [at(-few(r), -3), beyond, at(-few(r), 2), far];
+        let a = [from, to, third, fourth];
+        Some((ConvexPolygon::new(&a.map(vec)).ok()?, ConvexPolygon::new(&b.map(vec)).ok()?))
+    });
 }
 
 /// The point between two images in a half turn is on a side of both, or nearly. Leading bits do not
 /// show whether they have it in common.
 #[test]
 fn images_in_a_half_turn_around_a_side() {
-    let mut r = Random::new(91);
-    let (mut hits, mut apart) = (0u64, 0u64);
-    for _ in 0..cases(20_000) {
+    both_answers(91, 20_000, |r| {
         let size = 1 << r.within(4, 26);
         let (p, q) = ((r.within(1, size), r.within(0, size)), (-r.within(0, size), r.within(1, size)));
-        let Ok(a) = ConvexPolygon::<4>::new(&[p, q, (-p.0, -p.1), (-q.0, -q.1)].map(vec)) else { continue };
+        let a = ConvexPolygon::<4>::new(&[p, q, (-p.0, -p.1), (-q.0, -q.1)].map(vec)).ok()?;
         let by = (p.0 + q.0 + r.around(3), p.1 + q.1 + r.around(3));
-        let (open, ..) = same_of_quads(&a, &a.translated(vec(by)).unwrap());
-        hits += u64::from(open);
-        apart += u64::from(!open);
-    }
-    let few = cases(20_000) / 40;
-    assert!(enough(hits > few && apart > few), "{hits} {apart}");
+        Some((a, a.translated(vec(by)).unwrap()))
+    });
 }
 
 /// Leading bits have room for eight corners. They must not settle a pair of polygons with more.

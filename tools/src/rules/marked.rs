@@ -52,14 +52,7 @@ impl Layers<'_> {
             }
         }
     }
-}
 
-/// Whether a class or a true property says that a tile or a shape only notices bodies.
-pub(super) fn senses(class: &str, properties: &Properties) -> bool {
-    properties.marks().chain([class]).any(words::is_sensor)
-}
-
-impl Layers<'_> {
     /// Notes the tiles that are called slopes, and are none: games name directions differently.
     pub(super) fn slopes(&mut self, sheets: &[Sheet<'_>]) {
         for (sheet, (entry, _)) in sheets.iter().flat_map(|sheet| sheet.used.iter().map(move |used| (sheet, used))) {
@@ -74,6 +67,11 @@ impl Layers<'_> {
             }
         }
     }
+}
+
+/// Whether a class or a true property says that a tile or a shape only notices bodies.
+pub(super) fn senses(class: &str, properties: &Properties) -> bool {
+    properties.marks().chain([class]).any(words::is_sensor)
 }
 
 /// Whether a tile says that bodies pass, so that the name of its layer does not make it solid.

@@ -99,10 +99,10 @@ pub(super) fn outlines(
     let is_tile = matches!(object.form, Form::Tile(_));
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
     // What an object says of itself counts more than its layer, and less than the user.
-    let denied = marked::denied(&object.properties).filter(|_| !by_option(layer, options));
-    let own: Vec<String> = names(object).map(str::to_owned).collect();
-    let by_user = by_option(layer, options) || options.shape(&own).is_some();
-    if marked::senses(&object.class, &object.properties) && !by_user {
+    let of_layer = by_option(layer, options);
+    let denied = marked::denied(&object.properties).filter(|_| !of_layer);
+    let by_user = || of_layer || options.shape(&names(object).map(str::to_owned).collect::<Vec<_>>()).is_some();
+    if marked::senses(&object.class, &object.properties) && !by_user() {
         return left_out("it is a sensor or a trigger".to_owned());
     }
     let kind = match kind(object, if denied.is_some() { Says::Nothing } else { says }, options)? {
