@@ -15,6 +15,8 @@ pub struct Map {
     pub name: String,
     /// Side of a cell in pixels.
     pub tile: u16,
+    /// How many cells a cell of the file is along x and y: cells that are not square are several.
+    pub grid: (u32, u32),
     /// Columns and rows, if there are no layers.
     pub size: (u32, u32),
     pub tilesets: Vec<Rc<Tileset>>,

@@ -30,16 +30,17 @@ impl Value {
         match self {
             Self::Bool(is) => !is,
             Self::Number(text) => text == "0",
-            Self::Text(text) => text == "0" || text.eq_ignore_ascii_case("false"),
+            Self::Text(text) => text.trim() == "0" || text.trim().eq_ignore_ascii_case("false"),
             Self::Object(_) | Self::Lost(_) => false,
         }
     }
 
-    /// Whether it is true. Old versions of Tiled had no types and wrote the word.
+    /// Whether it is true. Old versions of Tiled had no types and wrote the word. Some editors add
+    /// blanks and line breaks.
     pub(crate) fn is_true(&self) -> bool {
         match self {
             Self::Bool(is) => *is,
-            Self::Text(text) => text.eq_ignore_ascii_case("true"),
+            Self::Text(text) => text.trim().eq_ignore_ascii_case("true"),
             Self::Number(_) | Self::Object(_) | Self::Lost(_) => false,
         }
     }
@@ -77,7 +78,7 @@ impl Properties {
     pub fn valued(&self) -> impl Iterator<Item = String> {
         self.0.iter().filter_map(|(name, value)| match value {
             Value::Bool(is) => Some(format!("{name}:{is}")),
-            Value::Number(text) | Value::Text(text) => Some(format!("{name}:{text}")),
+            Value::Number(text) | Value::Text(text) => Some(format!("{name}:{}", text.trim())),
             Value::Object(_) | Value::Lost(_) => None,
         })
     }

@@ -80,7 +80,7 @@ fn is_set<E: Error>(value: &serde_json::Value) -> Result<Option<bool>, E> {
         serde_json::Value::Null => Ok(None),
         serde_json::Value::Bool(is) => Ok(Some(*is)),
         serde_json::Value::Number(number) => Ok(Some(number.as_f64() != Some(0.0))),
-        serde_json::Value::String(text) => Ok(Some(!["", "0", "false"].contains(&text.as_str()))),
+        serde_json::Value::String(text) => Ok(Some(!["", "0", "false"].contains(&text.trim()))),
         other => Err(E::custom(format!("{other} is neither true nor false"))),
     }
 }

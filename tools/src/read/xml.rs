@@ -1,7 +1,8 @@
 //! Just enough XML for the files of Tiled. Reads tag by tag, with limits on everything that could
 //! grow.
 //!
-//! No namespaces, and only the five entities of XML and numbers. Skips a document type.
+//! Only the five entities of XML and numbers. Skips a document type. Of namespaces it knows a
+//! prefix of the first element: names with that prefix are read without it.
 
 use std::borrow::Cow;
 
@@ -45,6 +46,10 @@ pub(super) struct Xml<'a> {
     text: &'a str,
     at: usize,
     open: Vec<&'a str>,
+    /// Names that a document type declares. Nothing resolves them.
+    entities: Vec<&'a str>,
+    /// What the names of elements begin with, such as `t:`. Empty before the first element.
+    prefix: &'a str,
     /// The last opened element closes in the same tag.
     empty: bool,
 }
@@ -54,7 +59,7 @@ impl<'a> Xml<'a> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let text = std::str::from_utf8(bytes)
             .map_err(|e| format!("line {}: not UTF-8 text: save it as UTF-8", line(&bytes[..e.valid_up_to()])))?;
-        Ok(Self { text, at: 0, open: Vec::new(), empty: false })
+        Ok(Self { text, at: 0, open: Vec::new(), entities: Vec::new(), prefix: "", empty: false })
     }
 
     /// Adds the current line before the message.
@@ -115,7 +120,10 @@ impl<'a> Xml<'a> {
             if let Some(length) = self.passed(rest)? {
                 self.at += length;
             } else if rest.starts_with("<!") {
-                self.at += self.declaration(rest)?;
+                let length = self.declaration(rest)?;
+                let declared = rest[..length].split("<!ENTITY").skip(1);
+                self.entities.extend(declared.filter_map(|inner| inner.split_ascii_whitespace().next()));
+                self.at += length;
             } else if let Some(inner) = rest.strip_prefix("</") {
                 return self.close(inner);
             } else if let Some(inner) = rest.strip_prefix('<') {
@@ -123,7 +131,7 @@ impl<'a> Xml<'a> {
             } else {
                 let end = rest.find('<').unwrap_or(rest.len());
                 self.at += end;
-                return Ok(Event::Text(resolved(&rest[..end])));
+                return Ok(Event::Text(self.resolved(&rest[..end])?));
             }
         }
     }
@@ -161,6 +169,14 @@ impl<'a> Xml<'a> {
         Err(self.here("the file ends within a declaration"))
     }
 
+    fn resolved<'b>(&self, raw: &'b str) -> Result<Cow<'b, str>> {
+        let used = |name: &&&str| raw.split('&').skip(1).any(|part| part.split(';').next() == Some(**name));
+        match self.entities.iter().find(used) {
+            Some(name) => Err(self.here(&format!("&{name}; is declared in the document type: write its text instead"))),
+            None => Ok(resolved(raw)),
+        }
+    }
+
     fn close(&mut self, inner: &'a str) -> Result<Event<'a>> {
         let end = inner.find('>').ok_or_else(|| self.here("the file ends within a tag"))?;
         let name = inner[..end].trim_end();
@@ -185,7 +201,12 @@ impl<'a> Xml<'a> {
         if self.open.len() >= MAX_DEPTH {
             return Err(self.here(&format!("elements nested more than {MAX_DEPTH} deep")));
         }
-        let mut tag = Tag { name, attributes: Vec::new() };
+        if self.open.is_empty() {
+            self.prefix = name.find(':').map_or("", |colon| &name[..=colon]);
+        }
+        let prefix = self.prefix;
+        let own = |name: &'a str| name.strip_prefix(prefix).unwrap_or(name);
+        let mut tag = Tag { name: own(name), attributes: Vec::new() };
         let mut rest = inner[length..].trim_start();
         loop {
             let closed = rest.strip_prefix("/>").map(|after| (after, true));
@@ -207,7 +228,7 @@ impl<'a> Xml<'a> {
             if tag.attributes.len() == MAX_ATTRIBUTES {
                 return Err(self.here(&format!("<{name}> has more than {MAX_ATTRIBUTES} attributes")));
             }
-            tag.attributes.push((key, resolved(&value[..end])));
+            tag.attributes.push((own(key), self.resolved(&value[..end])?));
             rest = value[end + 1..].trim_start();
         }
     }

@@ -153,3 +153,39 @@ fn tiles_of_rules_lie_between_cells() {
         assert_eq!(levels, (0, 0), "{x} {y}");
     }
 }
+
+/// Old versions of Tiled had no types, and texts of several lines are the content of the element.
+#[test]
+fn truth_with_blanks() {
+    let tiles = |inner: &str| {
+        let text = rows(&["##"]).replace(r#"type="Solid""#, "").replace(
+            r#"<tile id="0" />"#,
+            &format!("<tile id=\"0\"><properties><property name=\"solid\"{inner}</properties></tile>"),
+        );
+        let text = text.replace(r#"name="World""#, r#"name="Walls""#);
+        ground("blanks.tmx", &text).applied.into_iter().map(|applied| applied.what).collect::<Vec<_>>()
+    };
+    for inner in [
+        ">true\n</property>",
+        ">\n  True\n </property>",
+        " value=\" true \"/>",
+        " value=\"true&#10;\"/>",
+        " type=\"bool\">\n true\n</property>",
+        " value=\" 1 \"/>",
+    ] {
+        assert_eq!(tiles(inner), ["property solid is full"], "{inner}");
+    }
+    // A tile that denies it is not solid because of its layer.
+    for inner in
+        [">false\n</property>", " value=\" False \"/>", " value=\" 0\"/>", " type=\"bool\">\n false\n</property>"]
+    {
+        let text = rows(&["##"]).replace(
+            r#"<tile id="0" type="Solid"/>"#,
+            &format!("<tile id=\"0\"><properties><property name=\"solid\"{inner}</properties></tile>"),
+        );
+        assert!(
+            refused("denied.tmx", &text.replace(r#"name="World""#, r#"name="Walls""#)).contains("nothing is solid"),
+            "{inner}"
+        );
+    }
+}

@@ -48,6 +48,11 @@ fn encodings() {
     assert!(is_read(&level("plain.tmx", named("UTF-8"), "")));
     assert!(is_read(&level("little.tmx", utf16(&named("UTF-16"), u16::to_le_bytes), "")));
     assert!(is_read(&level("big.tmx", utf16(&named("UTF-16"), u16::to_be_bytes), "")));
+    // Without its mark, the first sign shows the order.
+    assert!(is_read(&level("bare.tmx", &utf16(&named("UTF-16"), u16::to_le_bytes)[2..], "")));
+    assert!(is_read(&level("bare.tmx", &utf16(&named("UTF-16"), u16::to_be_bytes)[2..], "")));
+    let wide: Vec<u8> = named("UTF-32").chars().flat_map(|c| u32::from(c).to_le_bytes()).collect();
+    refused("wide.tmx", [&[0xff, 0xfe, 0, 0], &wide[..]].concat(), "text in UTF-32: save it as UTF-8");
     // Its name is wrong, and its text is right.
     assert!(is_read(&level("wrong.tmx", named("ISO-8859-1"), "")));
     let byte = |c: char| if c == '\u{2019}' { 0x92 } else { u8::try_from(u32::from(c)).unwrap() };
@@ -250,4 +255,40 @@ fn files_of_other_kinds() {
     refused("nameless.tmx", map(1, 1, "1", r#"<object x="a" y="0"/>"#), "<object>: x is 'a', not a number");
     let nothing = r#"{"maps":[],"patterns":null}"#;
     refused("null.world", nothing, "a world of Tiled without maps");
+}
+
+/// Programs that write XML of several namespaces give Tiled's names a prefix.
+#[test]
+fn namespaces() {
+    let prefixed = |text: &str| {
+        let named = |part: &str| {
+            let (slash, name) = part.strip_prefix('/').map_or(("", part), |name| ("/", name));
+            let prefix = if name.starts_with('?') || name.is_empty() { "" } else { "t:" };
+            format!("{slash}{prefix}{name}")
+        };
+        let all = text.split('<').map(named).collect::<Vec<_>>().join("<");
+        all.replacen("<t:map", "<t:map xmlns:t=\"http://mapeditor.org\" xmlns:e=\"urn:e\"", 1)
+    };
+    let plain = rows(&["#="]);
+    let text = prefixed(&plain).replace("<t:layer", "<e:layer name=\"x\"/><t:layer e:name=\"other\" t:class=\"Wide\"");
+    let read = level("prefix.tmx", text, "");
+    assert_eq!((&read["solid"], &read["one_way"]), (&json!(1), &json!(1)));
+    // The layer of another namespace is none.
+    assert!(!read["warnings"].to_string().contains("'x'"), "{read}");
+    refused("mixed.tmx", prefixed(&plain).replace("</t:map>", "</map>"), "</map> closes <t:map>");
+    // One namespace for all needs no prefix.
+    assert_eq!(level("one.tmx", plain.replacen("<map", "<map xmlns=\"http://mapeditor.org\"", 1), "")["solid"], 1);
+}
+
+#[test]
+fn document_types() {
+    let with = |declared: &str, class: &str| {
+        let text = rows(&["#="]).replacen("<map", &format!("<!DOCTYPE map {declared}>\r\n<map"), 1);
+        text.replace(r#"type="Solid""#, &format!("type=\"{class}\"")).replace('\n', "\r\n")
+    };
+    for declared in ["", r#"SYSTEM "http://mapeditor.org/dtd/1.0/map.dtd""#, r#"[<!ENTITY s "Solid">]"#] {
+        assert_eq!(level("type.tmx", with(declared, "Solid"), "")["solid"], 1, "{declared}");
+    }
+    let used = with(r#"[<!ENTITY s "Solid">]"#, "&s;");
+    refused("entity.tmx", used, "&s; is declared in the document type: write its text instead");
 }

@@ -130,11 +130,18 @@ fn refused() {
     let maps = |list: &str| format!(r#"{{"maps":[{list}],"type":"world"}}"#);
     let at = |file: &str, more: &str| maps(&format!(r#"{{"fileName":"{file}","x":0,"y":0{more}}}"#));
     let hall = r#"{"fileName":"hall.tmx","x":0,"y":0}"#;
-    let pattern = r#"{"patterns":[{"regexp":"a(\\d+)(\\d+)","multiplierX":9,"multiplierY":9}],"type":"world"}"#;
+    let pattern = |regexp: &str, more: &str| {
+        format!(r#"{{"patterns":[{{"regexp":"{regexp}","multiplierX":9{more}}}],"type":"world"}}"#)
+    };
     for (text, why) in [
         ("<world/>".to_owned(), "not a world of Tiled: "),
         (maps(""), "a world of Tiled without maps: add some with Tiled's World Tool"),
-        (pattern.to_owned(), r#"list each one in its "maps" with fileName, x and y"#),
+        (pattern("(?=h)(.)(.)", ""), "the tools do not read it"),
+        (pattern("(?=h)(.)(.)", ""), r#"list each map in "maps" with fileName, x and y"#),
+        (pattern("hall(.)", ""), "the pattern 'hall(.)' of the world: it needs two groups in brackets"),
+        (pattern("(.)(.)", r#","multiplierY":0"#), "its multiplierX or multiplierY is 0"),
+        (pattern("(h)(a)ll", ""), "in 'hall.tmx' it finds 'h', which gives no position"),
+        (pattern("attic_(.)_(.)", ""), "without maps: no map beside it fits the pattern 'attic_(.)_(.)'"),
         (maps(&format!("{hall},{}", hall.replace("hall", "./hall"))), "the world lists the map './hall.tmx' twice"),
         (maps(r#"{"x":0,"y":0}"#), "a map that has no fileName"),
         (at("gone.tmx", ""), "map 'gone': "),
@@ -157,4 +164,44 @@ fn refused() {
         let ran = run("rooms", &world, &format!("-o {}", world.with_file_name("out.rs").display()));
         assert!(ran.status == 2 && ran.err.contains(why), "{why} is not in {ran:?}");
     }
+}
+
+/// The names of maps hold their positions.
+#[test]
+fn patterns() {
+    let world = world();
+    let home = world.parent().unwrap();
+    for (column, row) in [(-1, 0), (0, 0), (0, 1)] {
+        fs::write(home.join(format!("cell_{column}_{row}.tmx")), level(HALL, 1)).unwrap();
+    }
+    fs::write(home.join("cell_0_0.png"), "").unwrap();
+    // What Tiled exports beside a map.
+    fs::write(home.join("cell_0_0.json"), "{}").unwrap();
+    let text = r#"{"maps":[{"fileName":"tower.tmx","x":320,"y":0}],"patterns":[
+        {"regexp":"cell_(-?\\d+)_(\\d+)","multiplierX":160,"multiplierY":-80,"offsetX":16,"offsetY":32},
+        {"regexp":"^c(e)?ll.*|tower()","multiplierX":1}],"type":"world"}"#;
+    fs::write(&world, text).unwrap();
+    let levels = read::load(&world, None).unwrap();
+    let found: Vec<(&str, i32, i32, u32)> = levels
+        .maps
+        .iter()
+        .map(|map| (map.name.as_str(), map.place.unwrap().x, map.place.unwrap().y, map.place.unwrap().width))
+        .collect();
+    assert_eq!(
+        found,
+        [("tower", 320, 0, 80), ("cell_-1_0", -144, 32, 160), ("cell_0_0", 16, 32, 160), ("cell_0_1", 16, -48, 160)]
+    );
+    let note = "'cell_0_0.png' fits it, and is no map";
+    assert!(levels.maps[0].notes.iter().any(|line| line.contains(note)), "{:?}", levels.maps[0].notes);
+    rooms::bake(&levels.maps, &Options::default(), &Cut::default()).unwrap();
+}
+
+/// The project is read once, and its damage is named once.
+#[test]
+fn one_project_for_all_maps() {
+    let world = world();
+    fs::write(world.with_file_name("game.tiled-project"), "{").unwrap();
+    let levels = read::load(&world, None).unwrap();
+    let notes = levels.maps.iter().flat_map(|map| &map.notes).filter(|note| note.contains("is not read"));
+    assert_eq!((notes.count(), levels.files.len()), (1, 5));
 }

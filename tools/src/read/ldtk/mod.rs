@@ -203,6 +203,7 @@ impl Reader<'_> {
         let plane = (world.unwrap_or(0), level.world_depth);
         let place = Place { x: level.world_x, y: level.world_y, width: level.px_wid, height: level.px_hei, plane };
         Ok(Map {
+            grid: (1, 1),
             name: name.to_owned(),
             tile,
             size: (level.px_wid / u32::from(tile), level.px_hei / u32::from(tile)),

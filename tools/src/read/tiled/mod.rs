@@ -6,6 +6,7 @@ mod data;
 mod foreign;
 mod number;
 mod objects;
+mod patterns;
 mod project;
 mod raw;
 mod sets;
@@ -23,7 +24,7 @@ use crate::model::object::Spot;
 use crate::model::property::Properties;
 use data::Form;
 pub(super) use foreign::{map as foreign, mark};
-use project::Classes;
+use project::Projects;
 use sets::Sets;
 pub(super) use world::read as world;
 
@@ -34,11 +35,11 @@ const MAX_LAYERS: usize = 1000;
 
 /// Reads the bytes of a map in this file.
 pub(super) fn read(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<Map> {
-    map(bytes, path, files).map(|(map, _)| map)
+    map(bytes, path, files, &mut Projects::default()).map(|(map, _)| map)
 }
 
 /// The same, and whether the map is infinite: then its size is that of nothing.
-fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
+fn map(bytes: Vec<u8>, path: &Path, files: &mut Files, projects: &mut Projects) -> Result<(Map, bool)> {
     let is_json = json::is_json(&bytes);
     let map: raw::Map = if is_json { json::parse(&bytes) } else { tags::map(&bytes) }
         .map_err(|why| foreign::map(&bytes).unwrap_or_else(|| format!("not a Tiled map: {why}")))?;
@@ -57,7 +58,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     let (tile, grid) = side(&map)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let properties = vec![("the map".to_owned(), map.properties.0)];
-    let classes = Classes::around(folder, files);
+    let classes = projects.around(folder, files);
     let mut reader = Reader {
         sets: Sets::new((map.tilewidth, map.tileheight), classes),
         layers: Vec::new(),
@@ -90,6 +91,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files) -> Result<(Map, bool)> {
     let read = Map {
         name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
         tile,
+        grid,
         size: (map.width.saturating_mul(grid.0), map.height.saturating_mul(grid.1)),
         tilesets: reader.sets.all,
         palette: reader.sets.palette,

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 use serde::Deserialize;
 
@@ -52,6 +53,30 @@ pub(super) struct Classes {
     none: Properties,
 }
 
+/// The projects that are read. The maps of a world have the same one.
+#[derive(Debug, Default)]
+pub(super) struct Projects(HashMap<PathBuf, Rc<Classes>>);
+
+impl Projects {
+    /// The classes of the nearest project around a map's folder.
+    pub(super) fn around(&mut self, folder: &Path, files: &mut Files) -> Rc<Classes> {
+        let projects = nearest(folder);
+        let [path] = &projects[..] else {
+            if let Some(path) = projects.first() {
+                let what = "several projects, so nobody knows what classes give their tiles and objects";
+                files.notes.push(format!("{}: {what}", path.with_file_name("").display()));
+            }
+            return Rc::default();
+        };
+        if let Some(known) = self.0.get(path) {
+            return Rc::clone(known);
+        }
+        let classes = Rc::new(Classes::of_file(path, files));
+        self.0.insert(path.clone(), Rc::clone(&classes));
+        classes
+    }
+}
+
 impl Classes {
     /// The properties that a class gives a tile, an object or a layer.
     pub(super) fn of(&self, class: &str, what: &str) -> &Properties {
@@ -62,21 +87,8 @@ impl Classes {
         known.map_or(&self.none, |(_, properties)| properties)
     }
 
-    /// The classes of the nearest project around a map's folder.
-    pub(super) fn around(folder: &Path, files: &mut Files) -> Self {
-        let projects = nearest(folder);
-        let [path] = &projects[..] else {
-            if let Some(path) = projects.first() {
-                let what = "several projects, so nobody knows what classes give their tiles and objects";
-                files.notes.push(format!("{}: {what}", path.with_file_name("").display()));
-            }
-            return Self::default();
-        };
-        // Each map of a world reads it, but it counts once.
-        let read = Files::default().utf8(path).and_then(|bytes| json::parse::<Project>(&bytes));
-        if !files.read.contains(path) {
-            files.read.push(path.clone());
-        }
+    fn of_file(path: &Path, files: &mut Files) -> Self {
+        let read = files.utf8(path).and_then(|bytes| json::parse::<Project>(&bytes));
         let project = match read {
             Ok(project) => project,
             Err(why) => {

@@ -42,7 +42,7 @@ pub(super) struct Sets {
     tiles: usize,
     /// The size of a cell.
     cell: (u32, u32),
-    pub(super) classes: Classes,
+    pub(super) classes: Rc<Classes>,
     /// Whether the palette has a tile that its tileset does not have.
     pub(super) beyond: bool,
     pub(super) warnings: Vec<Warning>,
@@ -53,7 +53,7 @@ type Warning = (String, String);
 
 impl Sets {
     /// For a map with cells of this size, and a project with these classes.
-    pub(super) fn new(cell: (u32, u32), classes: Classes) -> Self {
+    pub(super) fn new(cell: (u32, u32), classes: Rc<Classes>) -> Self {
         let (palette, places) = (vec![Placed::Nothing], HashMap::from([(0, 0)]));
         Self { places, palette, cell, classes, ..Self::default() }
     }

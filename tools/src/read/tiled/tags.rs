@@ -200,7 +200,7 @@ fn properties(xml: &mut Xml<'_>) -> Result<Listed> {
 
 /// As Tiled reads it: everything is true, except 0, the word false and nothing.
 fn truth(text: &str) -> bool {
-    !["", "0", "false"].iter().any(|no| text.eq_ignore_ascii_case(no))
+    !["", "0", "false"].iter().any(|no| text.trim().eq_ignore_ascii_case(no))
 }
 
 /// A layer, a group of layers, or nothing of the kind.

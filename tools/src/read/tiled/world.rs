@@ -5,10 +5,10 @@ use std::ffi::OsString;
 use std::path::{Component, Path, PathBuf};
 
 use serde::Deserialize;
-use serde::de::IgnoredAny;
 
 use super::data::MAX_CELLS;
-use super::foreign;
+use super::patterns::{self, Listed, Pattern};
+use super::project::Projects;
 use crate::model::map::{Map, Place, Tiles};
 use crate::read::file::Files;
 use crate::read::{json, lax};
@@ -26,33 +26,15 @@ struct World {
     #[serde(deserialize_with = "lax::given")]
     maps: Vec<Listed>,
     #[serde(deserialize_with = "lax::given")]
-    patterns: Vec<IgnoredAny>,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(default, rename_all = "camelCase")]
-struct Listed {
-    file_name: String,
-    #[serde(deserialize_with = "lax::whole")]
-    x: i32,
-    #[serde(deserialize_with = "lax::whole")]
-    y: i32,
-    /// In pixels. Only infinite maps need them.
-    #[serde(deserialize_with = "lax::count")]
-    width: Option<u32>,
-    #[serde(deserialize_with = "lax::count")]
-    height: Option<u32>,
+    patterns: Vec<Pattern>,
 }
 
 /// All maps of a world, or the one of this name.
 pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut Files) -> Result<Vec<Map>> {
-    let world: World = json::parse(bytes)
-        .map_err(|why| foreign::mark(bytes).unwrap_or_else(|| format!("not a world of Tiled: {why}")))?;
-    if !world.patterns.is_empty() {
-        return Err("a world of Tiled with patterns: the tools do not search for maps by their names; list each one \
-                    in its \"maps\" with fileName, x and y, as Tiled's World Tool does, and remove \"patterns\""
-            .to_owned());
-    }
+    let mut world: World = json::parse(bytes)
+        .map_err(|why| super::foreign::mark(bytes).unwrap_or_else(|| format!("not a world of Tiled: {why}")))?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    patterns::add(&mut world.maps, &world.patterns, folder, files)?;
     if world.maps.is_empty() {
         return Err("a world of Tiled without maps: add some with Tiled's World Tool".to_owned());
     }
@@ -63,8 +45,7 @@ pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, file
     if let Some(wanted) = level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
     }
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let (mut maps, mut cells) = (Vec::new(), 0);
+    let (mut maps, mut cells, mut projects) = (Vec::new(), 0, Projects::default());
     for (listed, name) in world.maps.iter().zip(names) {
         if level.is_some_and(|wanted| wanted != name) {
             continue;
@@ -72,7 +53,7 @@ pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, file
         let file = files.named(folder, &listed.file_name);
         let of_map = |why: String| format!("map '{name}': {}: {why}", file.display());
         let bytes = files.utf8(&file).map_err(of_map)?;
-        let (mut map, infinite) = super::map(bytes, &file, files).map_err(of_map)?;
+        let (mut map, infinite) = super::map(bytes, &file, files, &mut projects).map_err(of_map)?;
         let tiles = map.layers.iter().filter_map(|layer| layer.tiles());
         cells += tiles.map(|tiles| tiles.cells.len() as u64).sum::<u64>();
         if cells > MAX_WORLD {
