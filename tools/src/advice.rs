@@ -1,8 +1,18 @@
 //! Options in messages, as lines of `tilesat.toml`: a build script has no command line.
 
 /// The options that are lists in the file.
-const LISTS: [&str; 9] =
-    ["solid-layer", "one-way-layer", "ignore-layer", "ignore-level", "solid", "one-way", "empty", "flag", "objects"];
+const LISTS: [&str; 10] = [
+    "solid-layer",
+    "one-way-layer",
+    "ignore-layer",
+    "no-guess",
+    "ignore-level",
+    "solid",
+    "one-way",
+    "empty",
+    "flag",
+    "objects",
+];
 /// Those with one value.
 const VALUES: [&str; 3] = ["layer", "scale", "weld"];
 

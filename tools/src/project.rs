@@ -29,6 +29,8 @@ struct File {
     one_way_layer: Vec<String>,
     #[serde(alias = "ignore_layer")]
     ignore_layer: Vec<String>,
+    #[serde(alias = "no_guess")]
+    no_guess: Vec<String>,
     objects: Vec<String>,
     #[serde(alias = "ignore_level")]
     ignore_level: Vec<String>,
@@ -80,6 +82,7 @@ fn options(text: &str) -> std::result::Result<Options, String> {
         solid_layers: file.solid_layer,
         one_way_layers: file.one_way_layer,
         ignored_layers: file.ignore_layer,
+        unguessed_layers: file.no_guess,
         objects: file.objects,
         ignored_levels: file.ignore_level,
         layer: file.layer,
@@ -98,6 +101,7 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
         ("--solid-layer", &options.solid_layers),
         ("--one-way-layer", &options.one_way_layers),
         ("--ignore-layer", &options.ignored_layers),
+        ("--no-guess", &options.unguessed_layers),
         ("--objects", &options.objects),
     ];
     for (option, name) in of_layers.iter().flat_map(|(option, names)| names.iter().map(move |name| (option, name))) {

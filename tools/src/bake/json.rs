@@ -114,10 +114,7 @@ impl Baked {
 
     /// What the author probably did not intend: a line each.
     pub fn warnings(&self) -> Vec<String> {
-        let beyond = self.ground.left_out.iter().filter(|object| object.suspicious).map(|object| {
-            let pixels = |raw: i64| raw.div_euclid(1 << 16);
-            format!("{} at ({}, {}): {}", object.title, pixels(object.at.0), pixels(object.at.1), object.why)
-        });
+        let beyond = self.ground.left_out.iter().filter_map(LeftOut::warning);
         beyond.chain(self.ground.doubts.iter().map(Doubt::to_string)).collect()
     }
 

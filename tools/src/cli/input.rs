@@ -33,7 +33,8 @@ A tile is solid by the first of these rules that applies:
   d  if no rule above makes anything solid: its class or a true property has a word of c
      or is impassable, or its property walkable or passable is false; if still nothing is
      solid: its layer is named wall, ground, terrain, platform, block, obstacle or physics; if
-     still nothing is: floor, boundary or barrier. Ground that is nearly everywhere, and
+     still nothing is: floor, boundary or barrier, then collision, wall, platform and ground in
+     German, French, Spanish, Portuguese, Russian, Chinese or Japanese. Ground that is nearly everywhere, and
      on which such walls stand, is not solid, nor are tiles that are walkable, or whose
      property solid or collides is false. Values of an
      LDtk IntGrid follow these words too, also dirt, stone, rock, brick, earth, and
@@ -50,6 +51,7 @@ up. These options come first:
   --solid-layer NAME    each tile of the layer is full, unless a or b gives its shape
   --one-way-layer NAME  the same, one-way from above
   --ignore-layer NAME   skip the layer
+  --no-guess NAME       rule d makes nothing of the layer solid
   --objects NAME        the objects of the layer are solid
   --ignore-level NAME   skip the level of a project
   --layer NAME          look for solids in this tile layer only
@@ -60,8 +62,8 @@ up. These options come first:
 The NAME of a tile is its class, a true property, PROPERTY:VALUE, TILESET:ID, or an
 IntGrid value (its identifier, its number, or LAYER:NUMBER), in any case. A file
 tilesat.toml beside the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
-one-way, empty, flag, solid-layer, one-way-layer, ignore-layer, objects, ignore-level (lists),
-scale = \"1/2\", weld = \"0.25\".
+one-way, empty, flag, solid-layer, one-way-layer, ignore-layer, no-guess, objects, ignore-level
+(lists), scale = \"1/2\", weld = \"0.25\".
 Objects are solid if --objects, their class, a true property, their name, a property
 type, class or name with such a word as its value, or their layer (rule c) says so:
 rectangles, polygons, ellipses; polylines are walls. One whose
@@ -91,6 +93,7 @@ impl Input {
             "solid-layer" => options.solid_layers.push(text(parser, "--solid-layer")?),
             "one-way-layer" => options.one_way_layers.push(text(parser, "--one-way-layer")?),
             "ignore-layer" => options.ignored_layers.push(text(parser, "--ignore-layer")?),
+            "no-guess" => options.unguessed_layers.push(text(parser, "--no-guess")?),
             "objects" => options.objects.push(text(parser, "--objects")?),
             "ignore-level" => options.ignored_levels.push(text(parser, "--ignore-level")?),
             "layer" => once(&mut options.layer, "--layer", text(parser, "--layer")?)?,

@@ -52,6 +52,8 @@ impl Part {
         let repeated = segments::once(&mut ground.outlines);
         ground.notes.extend(repeated);
         segments::refuse_crossed(&ground.outlines)?;
+        let (slips, objects) = ground.left_out.drain(..).partition::<Vec<_>, _>(|object| object.suspicious);
+        ground.left_out = objects;
         let level = Level::with(&ground, &flags.names, ids)?;
         // In a linear world, LDtk puts all levels at (-1, -1).
         let place = map.place.filter(|place| !map.values || (place.x, place.y) != (-1, -1));
@@ -88,7 +90,11 @@ impl Part {
             outlines: ground.outlines,
             objects: ground.left_out,
             unused: ground.unused,
-            warnings: ground.doubts.iter().map(Doubt::to_string).collect(),
+            warnings: slips
+                .iter()
+                .filter_map(LeftOut::warning)
+                .chain(ground.doubts.iter().map(Doubt::to_string))
+                .collect(),
             notes: ground.notes,
         })
     }

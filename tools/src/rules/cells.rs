@@ -29,6 +29,8 @@ pub(super) struct Sheet<'a> {
     /// The palette entries that it draws, and how often.
     pub(super) used: Vec<(u32, u64)>,
     pub(super) pieces: HashMap<u32, Piece>,
+    /// The shapes of those that are not drawn in the collision editor.
+    pub(super) shapes: HashMap<u32, TileShape>,
     pub(super) flags: HashMap<u32, Vec<String>>,
     /// The cells of the entries that have flags.
     pub(super) flagged: HashMap<u32, piece::Block>,

@@ -15,12 +15,13 @@
 //! 5. `d`: if nothing of the map is solid so far, and its class or a true property has a word of
 //!    `c` or is impassable, or its property `walkable` or `passable` is false. If still nothing is
 //!    solid: its layer has a name with the word wall, ground, terrain, platform, block, obstacle
-//!    or physics. If still nothing is: floor, boundary or barrier. Ground that walls stand on is
-//!    not solid. In a layer of platforms, tiles without shapes are full if few have some.
+//!    or physics. If still nothing is: floor, boundary or barrier, then words of other languages.
+//!    Ground that walls stand on is not solid. In a layer of platforms, tiles without shapes are
+//!    full if few have some.
 //!    For values of `LDtk` the words are the same, and dirt, stone, rock, brick and earth. Values
 //!    without an identifier follow the rules `c` and `d` of their layers.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::fmt;
 
 use tilesat::{TileKind, TileShape};
@@ -150,18 +151,18 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         (outlines, left_out) = layers.objects(Some(list))?;
     }
     layers.forgotten(&mut sheets);
+    layers.oversize(&mut sheets);
     layers.slopes(&sheets);
+    let sides = layers.unclear_sides(&sheets);
+    for line in &sides {
+        layers.note(format!("GUESS: {line}"));
+    }
     let cells = cells::merge(&sheets, flags)?;
     layers.unseen(&sheets, &outlines);
     let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;
     outlines.splice(0..0, of_tiles);
     if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
-        let explained = nothing::why(map, &sheets, options).map(|why| {
-            let missing = map.tilesets.iter().find_map(|set| set.missing.as_ref());
-            let why = missing.map_or(why.clone(), |missing| format!("{missing}; without it, {why}"));
-            let read = map.warnings.iter().cloned().chain(doubts::shapes(map));
-            read.take(MOST_REASONS).fold(why, |why, (who, what)| format!("{why}; {who}: {what}"))
-        });
+        let explained = nothing::why(map, &sheets, options).map(|why| explained(map, &why, &sides, &left_out));
         match explained {
             None => layers.notes.push("it is empty: nothing is drawn".to_owned()),
             Some(why) if options.bare => {
@@ -218,6 +219,17 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     ground.ignored = ignored;
     ground.notes.splice(0..0, map.notes.iter().cloned().chain(notes));
     Ok(ground)
+}
+
+/// The reason that nothing is solid, with what tiles say of sides, and what the reader says.
+fn explained(map: &Map, why: &str, sides: &BTreeSet<String>, left_out: &[LeftOut]) -> String {
+    let missing = map.tilesets.iter().find_map(|set| set.missing.as_ref());
+    let why = missing.map_or(why.to_owned(), |missing| format!("{missing}; without it, {why}"));
+    let why = sides.iter().take(MOST_REASONS).fold(why, |why, line| format!("{why}; {line}"));
+    let slips = left_out.iter().filter(|object| object.suspicious);
+    let slips = slips.map(|object| (object.title.to_string(), object.why.clone()));
+    let read = map.warnings.iter().cloned().chain(doubts::shapes(map)).chain(slips);
+    read.take(MOST_REASONS).fold(why, |why, (who, what)| format!("{why}; {who}: {what}"))
 }
 
 /// Marks the objects that are outside of the domain. A solid there is refused.

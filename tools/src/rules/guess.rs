@@ -7,15 +7,15 @@ use tilesat::TileShape;
 use super::cells::Sheet;
 use super::layers::Layers;
 use super::marked;
-use super::options::Options;
+use super::options::{Options, listed};
 use super::report::Rule;
 use super::verdict::{self, Solid};
-use super::words::{self, COLLISION, GUESS, LAST};
+use super::words::{self, COLLISION, GROUND_ABROAD, GUESS, LAST, WALLS_ABROAD};
 use crate::model::map::{Layer, Map, Placed};
 
 /// Words in the names of layers, the surest first. The next ones count if nothing is solid so far.
 /// Of a layer of collisions, only named values of `LDtk` are left: their own names come first.
-pub(super) const STEPS: [&[&str]; 3] = [COLLISION, GUESS, LAST];
+pub(super) const STEPS: [&[&str]; 5] = [COLLISION, GUESS, LAST, WALLS_ABROAD, GROUND_ABROAD];
 
 /// The most values that a line names.
 const MOST: usize = 12;
@@ -63,7 +63,7 @@ impl Layers<'_> {
     pub(super) fn guess(&mut self, sheet: &mut Sheet<'_>, list: &[&str]) {
         let layer = sheet.layer;
         let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).any(|name| words::has(name, list));
-        if sheet.tiles.derived || is_skipped(layer, self.options) || marked::denied(&layer.properties).is_some() {
+        if sheet.tiles.derived || is_settled(layer, self.options) || marked::denied(&layer.properties).is_some() {
             return;
         }
         if let Some((_, walls)) = self.stood_on.iter().find(|(ground, _)| std::ptr::eq(*ground, layer)) {
@@ -76,7 +76,7 @@ impl Layers<'_> {
             return;
         }
         let (mut count, mut values) = (0, Values::of(layer));
-        for &(entry, times) in &sheet.used {
+        for (entry, times) in sheet.used.clone() {
             if sheet.pieces.contains_key(&entry) {
                 continue;
             }
@@ -90,12 +90,11 @@ impl Layers<'_> {
                     continue;
                 }
                 values.all.push((*number, name.as_deref()));
-            } else if !says || marked::is_free(self.map, entry) {
+            } else if !says || marked::is_free(self.map, entry, self.options) {
                 continue;
             }
             count += times;
-            let piece = self.piece(entry, Solid::Shape(TileShape::Full), sheet.tiles.tile);
-            sheet.pieces.insert(entry, piece);
+            self.put(sheet, entry, Solid::Shape(TileShape::Full));
         }
         if count == 0 {
             return;
@@ -113,7 +112,7 @@ impl Layers<'_> {
 
     /// Notes the layers whose names would have counted if the words before them had not.
     pub(super) fn passed_over(&mut self, sheets: &[Sheet<'_>], list: &[&str]) {
-        if list != LAST {
+        if list != LAST && list != GROUND_ABROAD {
             return;
         }
         for sheet in sheets.iter().filter(|sheet| !sheet.used.is_empty() && sheet.pieces.is_empty()) {
@@ -139,7 +138,7 @@ impl Layers<'_> {
             let bare: Vec<(u32, u64)> = sheet.used.iter().copied().filter(|(entry, _)| is_bare(entry)).collect();
             let count = |used: &[(u32, u64)]| used.iter().map(|(_, times)| times).sum::<u64>();
             let most = count(&bare) * 2 > count(&sheet.used);
-            if !most || !words::has(name, GUESS) || sheet.tiles.derived || is_skipped(sheet.layer, self.options) {
+            if !most || !words::has(name, GUESS) || sheet.tiles.derived || is_settled(sheet.layer, self.options) {
                 continue;
             }
             let what = format!("{} of layer '{name}'", words::several(count(&bare) as usize, "tile"));
@@ -153,10 +152,12 @@ impl Layers<'_> {
                 continue;
             }
             self.ledger.add(Rule::D, &format!("layer '{name}' is full"), count(&bare));
-            self.note(format!("GUESS: {what} are full, but have no collision shape; --empty TILESET:ID refuses one"));
+            self.note(format!(
+                "GUESS: {what} are full, but have no collision shape; --no-guess '{name}' refuses it, and --empty TILESET:ID \
+                 refuses one tile"
+            ));
             for (entry, _) in bare {
-                let piece = self.piece(entry, Solid::Shape(TileShape::Full), sheet.tiles.tile);
-                sheet.pieces.insert(entry, piece);
+                self.put(sheet, entry, Solid::Shape(TileShape::Full));
             }
         }
     }
@@ -236,6 +237,11 @@ pub(super) fn advice(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Opti
     Some(format!(
         "{shown} {have} no identifier: name {them} in LDtk, or add --solid {first}, --one-way {first}, --flag {first} or --empty {first}"
     ))
+}
+
+/// Whether the user allows no guess about a layer.
+pub(super) fn is_settled(layer: &Layer, options: &Options) -> bool {
+    is_skipped(layer, options) || listed(&options.unguessed_layers, &layer.name)
 }
 
 /// Whether the user looks for solids in another layer only.

@@ -42,6 +42,19 @@ pub(super) fn of(points: &[Point]) -> Knot {
     Knot::Parts(loops.into_iter().map(|part| part.points).collect())
 }
 
+/// The parts of a polygon if they have one direction, as those of a star. Its inside is their
+/// union.
+pub(super) fn parts(points: &[Point]) -> Option<Vec<Vec<Point>>> {
+    let parts: Vec<Loop> = loops(points.to_vec())?.into_iter().filter_map(Loop::new).collect();
+    let same = parts.windows(2).all(|pair| pair[0].area.signum() == pair[1].area.signum());
+    same.then(|| parts.into_iter().map(|part| part.points).collect())
+}
+
+/// Whether a polygon surrounds anything.
+pub(super) fn has_inside(points: &[Point]) -> bool {
+    loops(points.to_vec()).is_none_or(|loops| loops.into_iter().any(|part| Loop::new(part).is_some()))
+}
+
 /// A part that does not cross itself.
 struct Loop {
     points: Vec<Point>,

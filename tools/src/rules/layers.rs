@@ -82,9 +82,9 @@ impl<'a> Layers<'a> {
         let by_layer = self.layer_rule(layer, tiles);
         let passed = by_layer.is_none() && words::is_passed(&layer.name);
         let only_flags = guess::is_skipped(layer, self.options);
-        let (pieces, flags, flagged) = (HashMap::new(), HashMap::new(), HashMap::new());
+        let (pieces, shapes, flags, flagged) = (HashMap::new(), HashMap::new(), HashMap::new(), HashMap::new());
         let mut unnamed = Vec::new();
-        let mut sheet = Sheet { layer, tiles, used, pieces, flags, flagged };
+        let mut sheet = Sheet { layer, tiles, used, pieces, shapes, flags, flagged };
         for (entry, count) in sheet.used.clone() {
             if !self.meanings.contains_key(&entry) {
                 let meaning = verdict::of(self.map, &self.map.palette[entry as usize], self.options)?;
@@ -120,10 +120,11 @@ impl<'a> Layers<'a> {
             if value && rule == Rule::C && meaning.verdict.is_none() {
                 unnamed.push(entry);
             }
-            let piece = self.piece(entry, solid, tiles.tile);
-            let what = if solid == Solid::Drawn { format!("{what} are {}", became(&piece)) } else { what.clone() };
+            let what = what.clone();
+            self.put(&mut sheet, entry, solid);
+            let drawn = sheet.pieces.get(&entry).filter(|_| solid == Solid::Drawn);
+            let what = drawn.map_or(what.clone(), |piece| format!("{what} are {}", became(piece)));
             self.ledger.add(rule, &what, count);
-            sheet.pieces.insert(entry, piece);
         }
         if let Some(by) = &by_layer {
             self.assume(&sheet, &unnamed, &names::name(by.shape));
@@ -131,8 +132,14 @@ impl<'a> Layers<'a> {
         Ok(sheet)
     }
 
-    pub(super) fn piece(&self, entry: u32, solid: Solid, tile: u16) -> Piece {
-        piece::of(self.map, &self.map.palette[entry as usize], solid, tile, &self.likeness, self.options.weld())
+    /// Gives an entry of a layer its solid.
+    pub(super) fn put(&self, sheet: &mut Sheet<'_>, entry: u32, solid: Solid) {
+        let (placed, tile) = (&self.map.palette[entry as usize], sheet.tiles.tile);
+        let piece = piece::of(self.map, placed, solid, tile, &self.likeness, self.options.weld());
+        sheet.pieces.insert(entry, piece);
+        if let Solid::Shape(shape) = solid {
+            sheet.shapes.insert(entry, shape);
+        }
     }
 
     /// The shape of all tiles of a layer, and the rule that gives it.
@@ -190,7 +197,9 @@ impl<'a> Layers<'a> {
             let mut says = objects::layer_says(layer, self.options);
             // Entities of LDtk are for the game.
             let fits = guess.is_some_and(|list| words::has(&layer.name, list));
-            let fits = fits && marked::denied(&layer.properties).is_none();
+            let fits = fits
+                && marked::denied(&layer.properties).is_none()
+                && !listed(&self.options.unguessed_layers, &layer.name);
             let guessed = fits && says == Says::Nothing && !self.map.values;
             if guessed {
                 says = Says::Solid;
@@ -202,7 +211,14 @@ impl<'a> Layers<'a> {
                 {
                     Ok(drawn) => {
                         count += 1;
-                        for (outline, error) in drawn {
+                        if let Some(part) = drawn.iter().find(|drawn| drawn.torn) {
+                            rounded.push(format!(
+                                "{}: the collision polygon of its tile crosses itself, and each part counts: put its \
+                                 corners in order",
+                                part.outline.title
+                            ));
+                        }
+                        for objects::Drawn { outline, error, .. } in drawn {
                             if error > 0 {
                                 rounded.push(format!(
                                     "{} is a polygon of {} corners within it, off by at most 0.{error:03} px",

@@ -2,6 +2,8 @@
 //! their own words: `isSolid`, `hasCollision`, `impassable`, or `walkable` that is false. They say
 //! more than the name of a layer.
 
+use std::collections::BTreeSet;
+
 use tilesat::TileShape;
 
 use super::cells::Sheet;
@@ -10,8 +12,10 @@ use super::layers::Layers;
 use super::options::Options;
 use super::piece::Piece;
 use super::report::Rule;
+use super::sides::Sides;
 use super::verdict::Solid;
-use super::{traits, words};
+use super::{names, traits, words};
+use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::property::{Properties, Value};
 use crate::model::tileset::Tile;
@@ -20,8 +24,9 @@ use crate::model::tileset::Tile;
 struct Said {
     what: String,
     name: String,
-    /// The flag that it no longer has to be.
-    flag: Option<String>,
+    shape: TileShape,
+    /// The flags that it no longer has to be.
+    flags: Vec<String>,
 }
 
 impl Layers<'_> {
@@ -32,25 +37,46 @@ impl Layers<'_> {
             return;
         }
         for sheet in sheets {
-            if sheet.tiles.derived || guess::is_skipped(sheet.layer, self.options) {
+            if sheet.tiles.derived || guess::is_settled(sheet.layer, self.options) {
                 continue;
             }
             for (entry, count) in sheet.used.clone() {
                 let tile = tile(self.map, entry).filter(|_| !sheet.pieces.contains_key(&entry));
                 let Some(said) = tile.and_then(|tile| said(tile, self.options)) else { continue };
-                let piece = self.piece(entry, Solid::Shape(TileShape::Full), sheet.tiles.tile);
-                sheet.pieces.insert(entry, piece);
-                if let (Some(name), Some(flags)) = (&said.flag, sheet.flags.get_mut(&entry)) {
-                    flags.retain(|flag| !words::same(flag, name));
+                let flip = flip(self.map, entry);
+                self.put(sheet, entry, Solid::Shape(flip.of(said.shape)));
+                if let Some(flags) = sheet.flags.get_mut(&entry) {
+                    flags.retain(|flag| !said.flags.iter().any(|name| words::same(flag, name)));
                 }
-                self.ledger.add(Rule::D, &format!("tiles with the {} are full", said.what), count);
+                let (shape, what, name) = (names::name(said.shape), said.what, said.name);
+                let option = match said.shape {
+                    TileShape::Full => format!("'{name}'"),
+                    _ => format!("'{name}={shape}'"),
+                };
+                self.ledger.add(Rule::D, &format!("tiles with the {what} are {shape}"), count);
                 self.note(format!(
-                    "GUESS: nothing marks solid tiles, so those with the {} are full; --solid '{}' confirms it, \
-                     --empty '{}' refuses it",
-                    said.what, said.name, said.name
+                    "GUESS: nothing marks solid tiles, so those with the {what} are {shape}; --solid {option} confirms \
+                     it, --empty '{name}' refuses it"
                 ));
             }
         }
+    }
+
+    /// A line about the tiles that block from two or three sides, as no shape does.
+    pub(super) fn unclear_sides(&self, sheets: &[Sheet<'_>]) -> BTreeSet<String> {
+        let mut lines = BTreeSet::new();
+        for (sheet, (entry, _)) in sheets.iter().flat_map(|sheet| sheet.used.iter().map(move |used| (sheet, used))) {
+            let tile = tile(self.map, *entry).filter(|_| !self.map.values && !sheet.pieces.contains_key(entry));
+            let sides = tile.and_then(|tile| Sides::of(tile, self.options)).filter(Sides::is_unclear);
+            if let Some((sides, name)) = sides.as_ref().and_then(|sides| Some((sides, sides.names.first()?))) {
+                lines.insert(format!(
+                    "tiles with the {} are not solid: they block from some sides, and no shape does that; --solid '{name}' \
+                     makes them full, --one-way '{name}' one-way from above",
+                    sides.what()
+                ));
+            }
+        }
+        lines
     }
 
     /// Notes the tiles that are called slopes, and are none: games name directions differently.
@@ -75,10 +101,11 @@ pub(super) fn senses(class: &str, properties: &Properties) -> bool {
 }
 
 /// Whether a tile says that bodies pass, so that the name of its layer does not make it solid.
-pub(super) fn is_free(map: &Map, entry: u32) -> bool {
+pub(super) fn is_free(map: &Map, entry: u32, options: &Options) -> bool {
     let says = |tile: &Tile| {
         let walkable = tile.properties.marks().chain(tile.properties.ones()).any(words::is_walkable);
-        walkable || denied(&tile.properties).is_some()
+        let sides = Sides::of(tile, options).is_some_and(|sides| sides.is_none() || sides.is_unclear());
+        walkable || sides || denied(&tile.properties).is_some()
     };
     is_sensor(map, entry) || !map.values && tile(map, entry).is_some_and(says)
 }
@@ -90,7 +117,8 @@ pub(super) fn is_sensor(map: &Map, entry: u32) -> bool {
 
 /// The first property that says of its owner that it is not solid: `solid` that is false.
 pub(super) fn denied(properties: &Properties) -> Option<&str> {
-    let solid = |name: &str| words::is_blocked(name) || traits::shape(name) == Some(TileShape::Full);
+    let whole = |name: &str| words::is_blocked(name) && words::blocked_side(name).is_none();
+    let solid = |name: &str| whole(name) || traits::shape(name) == Some(TileShape::Full);
     let mut all = properties.0.iter().filter(|(name, value)| value.is_false() && solid(name));
     all.next().map(|(name, _)| name.as_str())
 }
@@ -102,29 +130,40 @@ fn tile(map: &Map, entry: u32) -> Option<&Tile> {
     }
 }
 
+fn flip(map: &Map, entry: u32) -> Flip {
+    if let Placed::Tile { flip, .. } = map.palette[entry as usize] { flip } else { Flip::default() }
+}
+
 fn said(tile: &Tile, options: &Options) -> Option<Said> {
     let is = |name: &str| words::is_blocked(name) && !options.is_flag(name);
+    let full = |what: String, name: &str| {
+        Some(Said { what, name: name.to_owned(), shape: TileShape::Full, flags: vec![name.to_owned()] })
+    };
     let class = tile.class.trim();
     if is(class) {
-        let (what, flag) = (format!("class '{class}'"), Some(class.to_owned()));
-        return Some(Said { what, name: class.to_owned(), flag });
+        return full(format!("class '{class}'"), class);
     }
     let mut marks = tile.properties.marks().chain(tile.properties.ones());
-    if let Some(name) = marks.find(|name| is(name)) {
-        let (what, flag) = (format!("property '{name}'"), Some(name.to_owned()));
-        return Some(Said { what, name: name.to_owned(), flag });
+    if let Some(name) = marks.find(|name| is(name) && words::blocked_side(name).is_none()) {
+        return full(format!("property '{name}'"), name);
+    }
+    if let Some(sides) = Sides::of(tile, options) {
+        let (shape, name) = (sides.shape()?, (*sides.names.first()?).to_owned());
+        let flags = sides.names.iter().map(|&name| name.to_owned()).collect();
+        return Some(Said { what: sides.what(), name, shape, flags });
     }
     let mut blocked = tile.properties.0.iter().filter(|(name, value)| value.is_false() && words::is_walkable(name));
     blocked.next().map(|(name, value)| {
         let value = shown(value);
-        Said { what: format!("property '{name}' = '{value}'"), name: format!("{name}:{value}"), flag: None }
+        let (what, name) = (format!("property '{name}' = '{value}'"), format!("{name}:{value}"));
+        Said { what, name, shape: TileShape::Full, flags: Vec::new() }
     })
 }
 
 /// A value of false, as options name it.
 fn shown(value: &Value) -> &str {
     match value {
-        Value::Number(text) | Value::Text(text) => text,
+        Value::Number(text) | Value::Text(text) => text.trim(),
         Value::Bool(_) | Value::Object(_) | Value::Lost(_) => "false",
     }
 }

@@ -104,7 +104,8 @@ pub(super) fn hints(map: &Map) -> BTreeSet<String> {
         let Some(tile) = map.tilesets[*tileset].tiles.get(id) else { continue };
         for (name, value) in &tile.properties.0 {
             if let (Value::Text(text), Some(_), false) = (value, traits::shape(name), value.is_false()) {
-                let option = if text.is_empty() { String::new() } else { format!(", or add --solid '{name}:{text}'") };
+                let kind = if TOP.contains(&text.trim()) { "one-way" } else { "solid" };
+                let option = if text.is_empty() { String::new() } else { format!(", or add --{kind} '{name}:{text}'") };
                 hints.insert(format!(
                     "tiles have the property '{name}' = '{text}', a text: make it a bool that is true{option}"
                 ));
@@ -120,6 +121,9 @@ pub(super) fn hints(map: &Map) -> BTreeSet<String> {
 
 /// Properties whose value authors use as a class.
 const MEANINGS: [&str; 4] = ["type", "kind", "class", "collision"];
+
+/// Values for tiles that block from above only.
+const TOP: [&str; 3] = ["top", "up", "above"];
 
 /// `'Trees' (3 tiles), ..`
 fn counted(layers: &[(&str, usize)], what: &str) -> String {

@@ -5,10 +5,10 @@ use super::kind::Kind;
 use super::marked;
 use super::options::{Options, listed};
 use super::outline::{LeftOut, Outline, Title};
-use super::piece::{self, Path};
+use super::piece::Path;
 use super::place::Unit;
-use super::traits;
 use super::words::{self, COLLISION};
+use super::{flat, stamps, traits};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Layer, Map};
 use crate::model::object::{Form, Object};
@@ -49,8 +49,16 @@ fn by_option(layer: &Layer, options: &Options) -> bool {
     lists.into_iter().any(|list| listed(list, &layer.name))
 }
 
-/// The outlines of an object, or the reason that there is none. With each, how far it lies within a
-/// round form at most, in thousandths of a pixel.
+/// An outline of an object.
+pub(super) struct Drawn {
+    pub(super) outline: Outline,
+    /// How far it lies within a round form at most, in thousandths of a pixel.
+    pub(super) error: u32,
+    /// Whether it is a part of a polygon that crosses itself.
+    pub(super) torn: bool,
+}
+
+/// The outlines of an object, or the reason that there is none.
 pub(super) fn outlines(
     map: &Map,
     object: &Object,
@@ -58,7 +66,7 @@ pub(super) fn outlines(
     says: Says,
     unit: Unit,
     options: &Options,
-) -> Result<Result<Vec<(Outline, u32)>, LeftOut>, String> {
+) -> Result<Result<Vec<Drawn>, LeftOut>, String> {
     let title = Title { id: object.id, name: object.name.clone(), layer: layer.name.clone() };
     let raw = |(x, y): (Decimal, Decimal)| (unit.raw(x + layer.offset.0).0, unit.raw(y + layer.offset.1).0);
     let at = raw(object.at);
@@ -79,13 +87,14 @@ pub(super) fn outlines(
         Form::Polygon(_) | Form::Polyline(_) => around,
         _ => named.first().map_or_else(Vec::new, |(_, path)| path.clone()),
     };
-    let left_out = |why: String| {
+    let out = |why: String| {
         let class = if object.class.is_empty() { &layer.class } else { &object.class }.clone();
         let fields = object.properties.0.iter().chain(&object.fields.0).cloned();
         let properties = Properties(fields.collect());
         let (title, points, named) = (title.clone(), points.clone(), named.clone());
-        Ok(Err(LeftOut { title, class, at, area, points, named, properties, why, suspicious: false }))
+        LeftOut { title, class, at, area, points, named, properties, why, suspicious: false }
     };
+    let left_out = |why: String| Ok(Err(out(why)));
     let Some(corners) = all_corners else {
         return left_out(if object.form == Form::Text { "it is a text" } else { "it is a point" }.to_owned());
     };
@@ -93,8 +102,8 @@ pub(super) fn outlines(
         return left_out("it has no size, so it is a point".to_owned());
     }
     let shapes = match &object.form {
-        Form::Tile(stamp) => piece::stamped(&map.tilesets[stamp.tileset], stamp, object.size),
-        _ => Vec::new(),
+        Form::Tile(stamp) => stamps::shapes(&map.tilesets[stamp.tileset], stamp, object.size),
+        _ => Ok(Vec::new()),
     };
     let is_tile = matches!(object.form, Form::Tile(_));
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
@@ -109,7 +118,7 @@ pub(super) fn outlines(
         // A tile has an inside.
         Some(Kind::Wall) if is_tile => Kind::Solid,
         Some(kind) if !is_tile || !flat => kind,
-        _ if is_tile => return left_out(of_tile(shapes.len(), &layer.name)),
+        _ if is_tile => return left_out(of_tile(shapes.map_or(1, |shapes| shapes.len()), &layer.name)),
         _ => {
             let class = if object.class.is_empty() { &layer.class } else { &object.class };
             let why = if let (Some(name), Says::Kind(_) | Says::Solid) = (denied, says) {
@@ -122,39 +131,61 @@ pub(super) fn outlines(
             return left_out(why);
         }
     };
-    let mut corners = corners;
-    if let Form::Tile(stamp) = &object.form {
-        // The picture can be smaller than the object.
-        let ((x, y), (right, bottom)) = piece::picture(&map.tilesets[stamp.tileset], stamp, object.size);
-        corners.points = form::of_picture(object, stamp, &[(x, y), (right, y), (right, bottom), (x, bottom)]);
-    }
-    if is_tile && kind == Kind::OneWay {
-        // Bodies stand on top of it, as on a tile of the level.
-        corners.points.truncate(2);
-        corners.closed = false;
-    }
-    let flags = flags(object, options);
-    let outline = |kind: Kind, corners: Corners| {
-        let (title, flags) = (title.clone(), flags.clone());
-        let (points, rounding) = (Vec::new(), Vec::new());
+    let shapes = shapes.map_err(|why| format!("object {}: {why}", object.id))?;
+    let outline = |(kind, corners, torn): Formed| {
+        let (title, flags, points, rounding) = (title.clone(), flags(object, options), Vec::new(), Vec::new());
         let mut outline = Outline { title, kind, closed: corners.closed, points, rounding, flags };
         for (x, y) in corners.points {
             let ((x, off_x), (y, off_y)) = (unit.raw(x + layer.offset.0), unit.raw(y + layer.offset.1));
             outline.points.push((x, y));
             outline.rounding.push(off_x.max(off_y));
         }
-        (outline, corners.error)
+        Drawn { outline, error: corners.error, torn }
     };
-    // A solid tile has the shapes of Tiled's collision editor, if it has some.
-    let Form::Tile(stamp) = &object.form else { return Ok(Ok(vec![outline(kind, corners)])) };
-    if kind != Kind::Solid || shapes.is_empty() {
-        return Ok(Ok(vec![outline(kind, corners)]));
+    let is_far = corners.points.iter().any(|(x, y)| x.is_far() || y.is_far());
+    let drawn: Vec<Drawn> = formed(map, object, kind, corners, shapes).into_iter().map(outline).collect();
+    // Numbers end a million pixels away. What is there has lost its form, and is refused.
+    let why =
+        |drawn: &Drawn| flat::why(drawn.outline.kind, drawn.outline.closed, &drawn.outline.points).filter(|_| !is_far);
+    match &drawn[..] {
+        [only] => match why(only) {
+            Some(why) => Ok(Err(LeftOut { suspicious: true, ..out(why) })),
+            None => Ok(Ok(drawn)),
+        },
+        _ => Ok(Ok(drawn.into_iter().filter(|drawn| why(drawn).is_none()).collect())),
     }
-    let placed = |path: Path| {
-        let points = form::of_picture(object, stamp, &path.points);
-        outline(path.kind, Corners { points, closed: path.closed, error: path.error })
+}
+
+/// A kind, its corners, and whether it is a part of a polygon that crosses itself.
+type Formed = (Kind, Corners, bool);
+
+/// The forms of a solid object. A solid tile has the shapes of Tiled's collision editor, if it has
+/// some.
+fn formed(map: &Map, object: &Object, kind: Kind, mut corners: Corners, shapes: Vec<Path>) -> Vec<Formed> {
+    let Form::Tile(stamp) = &object.form else {
+        // A line that is drawn as a rectangle.
+        if kind == Kind::OneWay && object.form == Form::Rectangle && object.size.1 == Decimal::ZERO {
+            corners.points.truncate(2);
+            corners.closed = false;
+        }
+        return vec![(kind, corners, false)];
     };
-    Ok(Ok(shapes.into_iter().map(placed).collect()))
+    if kind == Kind::Solid && !shapes.is_empty() {
+        let placed = |path: Path| {
+            let points = form::of_picture(object, stamp, &path.points);
+            (path.kind, Corners { points, closed: path.closed, error: path.error }, path.torn)
+        };
+        return shapes.into_iter().map(placed).collect();
+    }
+    // The picture can be smaller than the object.
+    let ((x, y), (right, bottom)) = stamps::picture(&map.tilesets[stamp.tileset], stamp, object.size);
+    corners.points = form::of_picture(object, stamp, &[(x, y), (right, y), (right, bottom), (x, bottom)]);
+    if kind == Kind::OneWay {
+        // Bodies stand on top of it, as on a tile of the level.
+        corners.points.truncate(2);
+        corners.closed = false;
+    }
+    vec![(kind, corners, false)]
 }
 
 /// Why a tile as an object is not solid, and what makes it so. Many are things of the game with a

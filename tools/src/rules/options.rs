@@ -19,6 +19,8 @@ pub struct Options {
     pub one_way_layers: Vec<String>,
     /// Layers to skip.
     pub ignored_layers: Vec<String>,
+    /// Layers that no guess makes solid.
+    pub unguessed_layers: Vec<String>,
     /// Layers whose objects are solid.
     pub objects: Vec<String>,
     /// Levels of a project to skip.
@@ -45,6 +47,7 @@ impl Options {
         self.solid_layers.extend(other.solid_layers);
         self.one_way_layers.extend(other.one_way_layers);
         self.ignored_layers.extend(other.ignored_layers);
+        self.unguessed_layers.extend(other.unguessed_layers);
         self.objects.extend(other.objects);
         self.ignored_levels.extend(other.ignored_levels);
         self.layer = other.layer.or(self.layer);

@@ -57,6 +57,13 @@ impl LeftOut {
         self.area.iter().flatten().chain(&self.points).chain(named).all(inside)
     }
 
+    /// A line about it, if its author has surely meant it to be in the level.
+    pub(crate) fn warning(&self) -> Option<String> {
+        let pixels = |raw: i64| raw.div_euclid(1 << 16);
+        let line = || format!("{} at ({}, {}): {}", self.title, pixels(self.at.0), pixels(self.at.1), self.why);
+        self.suspicious.then(line)
+    }
+
     /// Whether the output has an entry for it.
     pub(crate) fn is_listed(&self) -> bool {
         !self.suspicious && self.area.is_some() && self.is_inside()

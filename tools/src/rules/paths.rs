@@ -1,5 +1,7 @@
 //! Outlines beside the grid, for tiles that are not a shape of the library.
 
+use std::collections::BTreeMap;
+
 use tilesat::TileShape;
 
 use super::cells::{Cells, Placed};
@@ -11,6 +13,7 @@ use super::outline::{Outline, Title};
 use super::place::Unit;
 use super::union;
 use super::weld::{self, Form};
+use super::{flat, words};
 use crate::model::decimal::Decimal;
 use crate::model::object::{self, Spot};
 
@@ -33,6 +36,8 @@ pub(super) fn outlines(
     let mut outlines = Vec::new();
     let mut polygons: Vec<(u8, Vec<Polygon>)> = Vec::new();
     let (mut error, mut layers): (u32, Vec<&str>) = (0, Vec::new());
+    // Slips in the collision editor: their layer and what is wrong, how many, and where.
+    let mut empty: BTreeMap<(&str, String), (usize, Spot)> = BTreeMap::new();
     let shown: Vec<&Placed> = cells.paths.iter().filter(|placed| !cells.hides(&placed.path)).collect();
     let (drawn, welded) = welded(cells, &shown, weld);
     if let Some(torn) = shown.iter().find(|placed| placed.path.torn) {
@@ -45,7 +50,11 @@ pub(super) fn outlines(
         ));
     }
     for (placed, points) in shown.into_iter().zip(drawn) {
-        let raw = points.iter().map(|&(x, y)| (unit.raw(x).0, unit.raw(y).0)).collect();
+        let raw: Polygon = points.iter().map(|&(x, y)| (unit.raw(x).0, unit.raw(y).0)).collect();
+        if let Some(why) = flat::why(placed.path.kind, placed.path.closed, &raw) {
+            empty.entry((&placed.layer, why)).or_insert((0, points[0])).0 += 1;
+            continue;
+        }
         error = error.max(placed.path.error);
         let has_inside = placed.path.closed && placed.path.kind.has_area();
         if has_inside && matches!(knots::of(&object::raw(&points)), Knot::Unclear(_)) {
@@ -75,6 +84,10 @@ pub(super) fn outlines(
             outlines.push(outline((kind, true), path.points, flags.of(mask), &layers.join(" + ")));
         }
     }
+    notes.extend(empty.into_iter().map(|((layer, why), (count, at))| {
+        let shapes = words::several(count, "collision shape");
+        format!("{shapes} of tiles in layer '{layer}', the first at {}: {why}", pixels(at))
+    }));
     if error > 0 {
         notes.push(format!("ellipses of tiles are polygons within them, off by at most 0.{error:03} px"));
     }

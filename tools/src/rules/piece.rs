@@ -17,7 +17,7 @@ use crate::geometry::{Point, doubled_area};
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
-use crate::model::object::{Form, Object, Spot, Stamp, raw};
+use crate::model::object::{Form, Object, Spot, raw};
 use crate::model::tileset::Tileset;
 
 /// A cell relative to that of a tile, and columns and rows from it on.
@@ -54,7 +54,7 @@ pub(super) struct Path {
 
 /// The drawing position of a tile, in pixels from the corner of its cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Frame {
+pub(super) struct Frame {
     x: Decimal,
     y: Decimal,
     width: Decimal,
@@ -65,7 +65,7 @@ struct Frame {
 
 impl Frame {
     /// At the corner of the cell.
-    fn new(width: i64, height: i64) -> Self {
+    pub(super) fn new(width: i64, height: i64) -> Self {
         let (width, height) = (Decimal::whole(width), Decimal::whole(height));
         Self { x: Decimal::ZERO, y: Decimal::ZERO, width, height, scale: [(1, 1); 2] }
     }
@@ -133,6 +133,34 @@ pub(super) fn drawn_on(map: &Map, placed: &Placed, tile: u16) -> Block {
     ((columns.0, rows.0), (columns.1, rows.1))
 }
 
+/// Whether the picture of a tile is larger than a cell of the file.
+pub(super) fn is_large(map: &Map, placed: &Placed, tile: u16) -> bool {
+    let &Placed::Tile { tileset, id, flip, .. } = placed else { return false };
+    let frame = Frame::of(map, &map.tilesets[tileset], id, flip, i64::from(tile));
+    let along = |cells: u32| Decimal::whole(i64::from(tile) * i64::from(cells));
+    !map.values && (frame.width > along(map.grid.0) || frame.height > along(map.grid.1))
+}
+
+/// The cells that a cell of the file is, relative to the one with its tile: the lower left one.
+pub(super) fn own_cells(map: &Map) -> Block {
+    let (columns, rows) = (map.grid.0 as i32, map.grid.1 as i32);
+    ((0, 1 - rows), (columns, rows))
+}
+
+/// A shape of a tile in its cell of the file, however large its picture is.
+pub(super) fn in_cell(map: &Map, shape: TileShape, tile: u16) -> Piece {
+    let (at, size) = own_cells(map);
+    if size == (1, 1) {
+        return Piece::Shape(shape);
+    }
+    if shape == TileShape::Full {
+        return Piece::Cells { at, size, beside: Vec::new() };
+    }
+    let pixels = |cells: i32| i64::from(cells) * i64::from(tile);
+    let frame = Frame { y: Decimal::whole(pixels(at.1)), ..Frame::new(pixels(size.0), pixels(size.1)) };
+    Piece::Paths(stretched(shape, frame))
+}
+
 /// The area that a tile of a layer with cells of `tile` pixels fills. Welds drawn corners by up to
 /// `weld` raw units.
 pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness, weld: i64) -> Piece {
@@ -154,7 +182,11 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
             // A tile that is drawn as large as a cell scales its shapes with it.
             let (w, h) = set.size_of(id);
             let size = if w == 0 || h == 0 { (side, side) } else { (i64::from(w), i64::from(h)) };
-            let mut paths: Vec<Path> = shapes.iter().filter_map(|shape| path(shape, size, flip, frame)).collect();
+            let mut paths: Vec<Path> = shapes
+                .iter()
+                .filter(|shape| form::has_extent(shape))
+                .filter_map(|shape| path(shape, size, flip, frame))
+                .collect();
             onto_border(&mut paths, frame, weld);
             // A small crossing does not make a polygon unlike a shape of the library.
             match if frame.corners() == cell { recognised(paths, side, likeness) } else { Piece::Paths(paths) } {
@@ -185,42 +217,6 @@ fn untied(paths: Vec<Path>, frame: Frame, weld: i64) -> Vec<Path> {
         _ => vec![path],
     };
     paths.into_iter().flat_map(apart).collect()
-}
-
-/// The collision shapes of a tile as an object, from the corner of its picture, which is drawn at
-/// this size.
-pub(super) fn stamped(set: &Tileset, stamp: &Stamp, size: Spot) -> Vec<Path> {
-    let (w, h) = set.size_of(stamp.id);
-    let own = (i64::from(w), i64::from(h));
-    let (across, down) = if stamp.flip.diagonal { (own.1, own.0) } else { own };
-    let fit = |v: Decimal, from: i64, to: Decimal| match from {
-        1.. if Decimal::whole(from) != to => Decimal::from_f64(v.to_f64() * to.to_f64() / from as f64),
-        _ => v,
-    };
-    let shapes = set.tiles.get(&stamp.id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
-    let mut paths: Vec<Path> =
-        shapes.iter().filter_map(|shape| path(shape, own, stamp.flip, Frame::new(across, down))).collect();
-    let (from, to) = picture(set, stamp, size);
-    let drawn = (to.0 - from.0, to.1 - from.1);
-    for point in paths.iter_mut().flat_map(|path| &mut path.points) {
-        *point = (from.0 + fit(point.0, across, drawn.0), from.1 + fit(point.1, down, drawn.1));
-    }
-    // A click in the collision editor leaves a rectangle without a size.
-    paths.retain(|path| !path.closed || doubled_area(&raw(&path.points)) != 0);
-    paths
-}
-
-/// The corners of the picture in an object of this size.
-pub(super) fn picture(set: &Tileset, stamp: &Stamp, size: Spot) -> (Spot, Spot) {
-    let (w, h) = set.size_of(stamp.id);
-    let (across, down) = if stamp.flip.diagonal { (h, w) } else { (w, h) };
-    if !set.keeps_aspect || w == 0 || h == 0 {
-        return ((Decimal::ZERO, Decimal::ZERO), size);
-    }
-    let (wide, high) = (size.1.scaled(across, down), size.0.scaled(down, across));
-    let drawn = if wide <= size.0 { (wide, size.1) } else { (size.0, high) };
-    let from = ((size.0 - drawn.0).scaled(1, 2), (size.1 - drawn.1).scaled(1, 2));
-    (from, (from.0 + drawn.0, from.1 + drawn.1))
 }
 
 /// A shape of the library as a path.
@@ -267,7 +263,7 @@ fn near(a: (f64, f64), b: (f64, f64)) -> bool {
 }
 
 /// A shape of the collision editor, drawn on a tile of this size, relative to the tile.
-fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
+pub(super) fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
     let corners = form::corners(object).filter(|_| !senses(&object.class, &object.properties))?;
     let says = |name: &str| Kind::from_name(name);
     let own = [object.class.as_str(), object.name.as_str()].into_iter().chain(object.properties.marks());

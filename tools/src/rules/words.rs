@@ -8,6 +8,28 @@ pub(super) const GUESS: &[&str] = &["wall", "ground", "terrain", "platform", "bl
 /// In the name of a layer or a value, if not even those do. Seen from above, bodies walk on a
 /// floor.
 pub(super) const LAST: &[&str] = &["floor", "boundary", "boundaries", "barrier"];
+/// The same in German, French, Spanish, Portuguese, Russian, Chinese and Japanese, if no English
+/// word decides: collisions, walls and platforms.
+#[rustfmt::skip]
+pub(super) const WALLS_ABROAD: &[&str] = &[
+    "kollision", "kollisionen", "mauer", "mauern", "wand", "wände", "waende", "plattform", "plattformen", "hindernis",
+    "hindernisse", "mur", "paroi", "plateforme", "solide", "colisión", "colision", "colisiones", "pared", "paredes",
+    "muro", "sólido", "solido", "plataforma", "obstáculo", "obstaculo", "colisão", "colisao", "colisões", "colisoes",
+    "parede", "коллизи", "столкновени", "стена", "стены", "стенам", "стенк", "препятстви", "платформ", "碰撞", "墙",
+    "牆", "障碍", "障礙", "平台", "衝突", "当たり判定", "壁", "足場", "障害物",
+];
+/// The same for ground, which bodies walk on if it is seen from above.
+#[rustfmt::skip]
+pub(super) const GROUND_ABROAD: &[&str] = &[
+    "boden", "gelände", "gelaende", "erde", "sol", "terre", "suelo", "terreno", "tierra", "chão", "chao", "земля",
+    "земли", "地面", "地形", "床",
+];
+/// What is drawn behind, in the same languages, and their words for not.
+#[rustfmt::skip]
+const BEHIND_ABROAD: &[&str] = &[
+    "hintergrund", "ohne", "kein", "keine", "fond", "arrière", "sans", "fondo", "sin", "fundo", "sem", "фон", "задн",
+    "без", "背景", "后", "後", "无", "無", "非",
+];
 /// In the name of a value of `LDtk`.
 pub(super) const VALUE: &[&str] =
     &["wall", "ground", "terrain", "platform", "block", "obstacle", "dirt", "stone", "rock", "brick", "earth"];
@@ -73,7 +95,8 @@ fn words(name: &str) -> Vec<String> {
 /// Whether a name contains one of the words, or its plural.
 pub(super) fn has(name: &str, list: &[&str]) -> bool {
     let words = words(name);
-    any(&words, list) && !denies(&words)
+    let is_abroad = || list == WALLS_ABROAD || list == GROUND_ABROAD;
+    any(&words, list) && !denies(&words) && !(is_abroad() && any(&words, BEHIND_ABROAD))
 }
 
 /// Whether a name contains the words one way, together or apart.
@@ -113,17 +136,42 @@ pub(super) fn is_blocked(name: &str) -> bool {
     (any(&words, COLLISION) || any(&words, BLOCKED)) && !denies(&words) || walkable && denies(&words)
 }
 
+/// The words for the sides of a tile, clockwise from the top.
+const SIDES: [&[&str]; 4] =
+    [&["top", "up", "north"], &["right", "east"], &["bottom", "down", "south"], &["left", "west"]];
+
+/// The side from which a tile blocks, if its name is about one side only: 0 is the top, and the
+/// others follow clockwise.
+pub(super) fn blocked_side(name: &str) -> Option<usize> {
+    let words = words(name);
+    let blocks = any(&words, COLLISION) || any(&words, BLOCKED);
+    let named = |side: &&[&str]| words.iter().any(|word| side.contains(&word.as_str()));
+    let mut sides = SIDES.iter().enumerate().filter(|(_, side)| named(side)).map(|(number, _)| number);
+    let side = sides.next().filter(|_| blocks && !denies(&words));
+    side.filter(|_| sides.next().is_none())
+}
+
 fn any(words: &[String], list: &[&str]) -> bool {
-    words.iter().any(|word| list.iter().any(|known| word == known || word.strip_suffix('s') == Some(known)))
+    words.iter().any(|word| list.iter().any(|known| is(word, known)))
+}
+
+/// Whether a word is this one, or its plural. Words of Russian have endings, and Chinese and
+/// Japanese have no blanks between words.
+fn is(word: &str, known: &str) -> bool {
+    match known.chars().next() {
+        Some('\u{400}'..='\u{4ff}') => word.starts_with(known),
+        Some('\u{3000}'..) => word.contains(known),
+        _ => word == known || word.strip_suffix('s') == Some(known),
+    }
 }
 
 fn denies(words: &[String]) -> bool {
     words.iter().any(|word| NOT.contains(&word.as_str()))
 }
 
-/// A name without case, hyphens, underscores and spaces.
+/// A name without case, hyphens, underscores, spaces and line breaks.
 pub(super) fn plain(name: &str) -> String {
-    name.chars().filter(|c| !"-_ ".contains(*c)).flat_map(char::to_lowercase).collect()
+    name.chars().filter(|c| !"-_".contains(*c) && !c.is_whitespace()).flat_map(char::to_lowercase).collect()
 }
 
 /// Whether two names are equal for a user who types one of them.

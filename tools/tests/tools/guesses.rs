@@ -259,6 +259,8 @@ fn platforms_with_few_collision_shapes() {
     let text = |name: &str, cells: &str| level(&[(name, cells)], ramp, "");
     let (found, said) = baked(&text("Platforms", "0,0,0,0,0,4,1,1,1,1,1,1"), &[]);
     assert!(found == "7 0 {}" && said.contains("6 tiles of layer 'Platforms' are full"), "{found} {said}");
+    let refused = baked(&text("Platforms", "0,0,0,0,0,4,1,1,1,1,1,1"), &["--no-guess", "Platforms"]).0;
+    assert!(said.contains("--no-guess 'Platforms' refuses it") && refused == "1 0 {}", "{refused} {said}");
     assert_eq!(baked(&text("Platforms", "0,0,0,1,4,4,4,4,1,1,1,1"), &[]).0, "4 0 {}");
     assert_eq!(baked(&text("Ground", "0,0,0,0,0,4,1,1,1,1,1,1"), &[]).0, "1 0 {}");
 }
@@ -275,4 +277,80 @@ fn slopes_by_name_only() {
             assert_eq!(baked(&level(&[("Map", MIXED)], &tiles, ""), &option).1, "");
         }
     }
+}
+
+fn sides(id: u32, names: &[&str], value: &str) -> String {
+    let property = |name: &&str| format!(r#"<property name="{name}" type="bool" value="{value}"/>"#);
+    format!(r#"<tile id="{id}"><properties>{}</properties></tile>"#, names.iter().map(property).collect::<String>())
+}
+
+/// Engines that block from single sides name each side.
+#[test]
+fn tiles_that_block_from_sides() {
+    let shapes = |names: &[&str]| {
+        let file = scratch("guesses", "sides.tmx", level(&[("Map", MIXED)], &sides(0, names, "true"), ""));
+        let ran = tilesat(["bake".to_owned(), file.display().to_string(), "--json".to_owned()]);
+        let line = ran.out.lines().last().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
+        (line.map(|line| format!("{} {}", line["shapes"], line["flags"])), ran.err)
+    };
+    let all = [
+        ["ge_collide_left", "ge_collide_right", "ge_collide_top", "ge_collide_bottom"],
+        ["collideUp", "collideDown", "collideLeft", "collideRight"],
+        ["collides_north", "collides_south", "collides_west", "collides_east"],
+    ];
+    for names in all {
+        let (found, said) = shapes(&names);
+        assert_eq!(found.as_deref(), Some(r#"{"full":5} {}"#), "{said}");
+        assert!(said.contains("with the properties") && said.contains(" are full"), "{said}");
+    }
+    for (name, shape) in [
+        ("ge_collide_top", "one-way-up"),
+        ("collideUp", "one-way-up"),
+        ("collideRight", "one-way-right"),
+        ("blocked_down", "one-way-down"),
+        ("collides_left", "one-way-left"),
+    ] {
+        let (found, said) = shapes(&[name]);
+        assert_eq!(found, Some(format!(r#"{{"{shape}":5}} {{}}"#)), "{said}");
+        assert!(said.contains(&format!("--solid '{name}={shape}' confirms it")), "{said}");
+    }
+    for names in [["collideUp", "collideLeft"], ["collides_left", "collides_right"]] {
+        let (found, said) = shapes(&names);
+        let why = format!(
+            "tiles with the properties '{}', '{}' are not solid: they block from some sides",
+            names[0], names[1]
+        );
+        assert!(found.is_none() && said.contains(&why), "{said}");
+    }
+    // A tile with another mark is as that says.
+    assert_eq!(shapes(&["isSolid", "collideUp"]).0.as_deref(), Some(r#"{"full":5} {"collideUp":5}"#));
+}
+
+/// Neither does the name of a layer make them solid.
+#[test]
+fn sides_in_a_layer_of_ground() {
+    let two = sides(0, &["collideUp", "collideLeft"], "true");
+    let (found, said) = baked(&level(&[("Ground", MIXED)], &two, ""), &[]);
+    assert_eq!(found, r#"6 0 {"collideLeft":5,"collideUp":5}"#);
+    assert!(
+        said.contains("they block from some sides, and no shape does that; --solid 'collideUp' makes them full"),
+        "{said}"
+    );
+    let none = sides(0, &["collideUp", "collideDown", "collideLeft", "collideRight"], "false");
+    assert_eq!(baked(&level(&[("Ground", MIXED)], &none, ""), &[]).0, "6 0 {}");
+}
+
+#[test]
+fn a_layer_without_a_guess() {
+    let text = level(&[("Ground", MIXED), ("Walls", AROUND)], "", "");
+    assert_eq!(baked(&text, &["--no-guess", "Ground"]).0, "10 0 {}");
+    let why = baked(&level(&[("Ground", MIXED)], "", ""), &["--no-guess", "ground"]).1;
+    assert!(why.contains("nothing is solid"), "{why}");
+    let why = baked(&text, &["--no-guess", "Grund"]).1;
+    assert!(why.contains("--no-guess Grund: there is no such layer"), "{why}");
+    let solid = property(0, "isSolid", r#"type="bool" value="true""#);
+    assert!(baked(&level(&[("Map", MIXED)], &solid, ""), &["--no-guess", "Map"]).1.contains("nothing is solid"));
+    // What a rule says stays.
+    let marked = level(&[("Ground", MIXED)], r#"<tile id="0" class="Wall"/>"#, "");
+    assert_eq!(baked(&marked, &["--no-guess", "Ground"]).0, "5 0 {}");
 }

@@ -1,5 +1,6 @@
 //! Collision polygons of tiles that cross themselves: both parts are solid, and no part is a hole.
 
+use tilesat_tools::bake;
 use tilesat_tools::read::load;
 use tilesat_tools::rules::flags::Flags;
 use tilesat_tools::rules::ground::Ground;
@@ -74,4 +75,32 @@ fn a_crossing_that_nobody_sees() {
 fn an_inside_that_is_not_clear() {
     let why = ground("0,0 0,16 16,0 16,8 14,8 12,7.5 12,8.5 14,8 16,8 16,16", "").unwrap_err();
     assert!(why.contains("layer 'World': a collision polygon of its tile at (16, 16) crosses itself"), "{why}");
+}
+
+/// The same for a tile as an object.
+#[test]
+fn tiles_as_objects() {
+    let ground = |polygon: &str| {
+        let drawn = format!(
+            r#"<tile id="0"><objectgroup><object id="1" x="0" y="0"><polygon points="{polygon}"/></object></objectgroup></tile>"#
+        );
+        let text = map(1, 1, "0", r#"<object id="7" gid="1" x="16" y="32" width="16" height="16"/>"#)
+            .replace(r#"<tile id="0" type="Solid"/>"#, &drawn);
+        let levels = load(&scratch("knots", "stamp.tmx", text), None).unwrap();
+        let ground = Ground::of(&levels.maps[0], &Options::default(), &mut Flags::default());
+        bake::bake(&levels.maps, &bake::Settings::default()).map_err(|fail| fail.to_string())?;
+        ground.map_err(|fail| fail.to_string())
+    };
+    let upright = [vec![(16, 16), (24, 24), (32, 16)], vec![(16, 32), (24, 24), (32, 32)]];
+    let found = ground("0,0 16,0 0,16 16,16").unwrap();
+    assert_eq!(solids(&found), upright);
+    let note = "object 7 of layer 'L': the collision polygon of its tile crosses itself, and each part counts";
+    assert!(found.notes.iter().any(|line| line.starts_with(note)), "{:?}", found.notes);
+    // A star is solid in its middle, too, which counts twice.
+    let star = solids(&ground("8,0 13,16 0,6 16,6 3,16").unwrap());
+    assert!(star.len() > 1 && star.iter().any(|part| part.contains(&(24, 16))), "{star:?}");
+    let plain = ground("0,0 16,0 16,16 0,16").unwrap();
+    assert!(plain.notes.is_empty() && solids(&plain).len() == 1, "{:?}", plain.notes);
+    let why = ground("0,0 0,16 16,0 16,8 14,8 12,7.5 12,8.5 14,8 16,8 16,16").unwrap_err();
+    assert!(why.contains("object 7: the collision polygon of its tile 0 crosses itself"), "{why}");
 }

@@ -41,20 +41,27 @@ pub(crate) const CASES: &[Case] = &[
     ("not_so_acute", r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0 64,9"/></object>"#, "", &[]),
     (
         "flat",
-        r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0 32,0"/></object>"#,
+        r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0 32,0"/></object><object id="4" x="0" y="16" width="64" height="64"/>"#,
         "",
         &[
-            "error no-area at (0, 0): object 3 of layer 'L': no area; it has no inside",
-            "error reversed at (32, 0): object 3 of layer 'L', edges 0 and 1: they lie on each other for a part of their length, the other way round; the outline doubles back: a spike without area",
-            "error reversed at (0, 0): object 3 of layer 'L', edges 0 and 2: they lie on each other for a part of their length, the other way round; the outline doubles back: a spike without area",
+            "warning left-out at (0, 0): object 3 of layer 'L': its height is 0, so it is not solid: give it one, or draw a polyline, which is a wall; nothing collides with it",
         ],
     ),
     (
         "two_points",
-        r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0"/></object>"#,
+        r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0"/></object><object id="4" x="0" y="16" width="64" height="64"/>"#,
         "",
         &[
-            "error not-closed at (0, 0): object 3 of layer 'L': a solid of 2 points that is not closed; it has no inside",
+            "warning left-out at (0, 0): object 3 of layer 'L': it has 2 corners, so it is not solid: draw a third one; nothing collides with it",
+        ],
+    ),
+    (
+        "no_area",
+        r#"<object id="3" x="0" y="0"><polygon points="0,0 64,0 0,64 64,64"/></object>"#,
+        "",
+        &[
+            "error no-area at (0, 0): object 3 of layer 'L': no area; it has no inside",
+            "error self-crossing at (32, 32): object 3 of layer 'L', edges 1 and 3: the outline crosses itself; inside and outside change places there",
         ],
     ),
     (
@@ -65,9 +72,11 @@ pub(crate) const CASES: &[Case] = &[
     ),
     (
         "one_point",
-        r#"<object id="3" x="0" y="0"><polyline points="0,0"/></object>"#,
+        r#"<object id="3" x="0" y="0"><polyline points="0,0"/></object><object id="4" x="0" y="16" width="64" height="64"/>"#,
         "",
-        &["error not-closed at (0, 0): object 3 of layer 'L': a wall of 1 points; a chain needs two points to block"],
+        &[
+            "warning left-out at (0, 0): object 3 of layer 'L': it has no second point, so it is not solid: draw one; nothing collides with it",
+        ],
     ),
     (
         "far",

@@ -30,7 +30,7 @@ fn messages_in_the_words_of_the_user() {
             object("0,0 900000,0 0,9"),
             "object 7 of layer 'L' at (908200, 0): it is outside of the domain: coordinates stay below 8192",
         ),
-        (object("0,0 9,3 0,0"), "object 7 of layer 'L': it has 2 different points: a polygon needs 3"),
+        (object("0,0 9,3 0,0"), "object 7 of layer 'L': it has no area, so it is not solid: give it one"),
         (
             map(3, 2, "0,0,0,0,0,99", ""),
             "layer 'World': 1 of its tiles are in no tileset, the first in column 2, row 1: 't' has no tile 98",

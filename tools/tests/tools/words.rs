@@ -122,6 +122,7 @@ fn nothing_solid_says_what_to_do() {
             property("collides", r#"value="yes""#),
             "tiles have the property 'collides' = 'yes', a text: make it a bool that is true",
         ),
+        (&plain, property("collision", r#"value="top""#), "or add --one-way 'collision:top'"),
         (&plain, property("solid", r#"value="""#), "tiles have the property 'solid' = '', a text"),
     ] {
         let why = cells(layers, &tile, &[]).1;
@@ -135,4 +136,54 @@ fn nothing_solid_says_what_to_do() {
     let text = rows(&["."]).replace(r#"<objectgroup id="2" name="L" class="Solid"></objectgroup>"#, group);
     let ran = run("bake", scratch("words", "things.tmx", text), "--json");
     assert!(ran.err.contains("the object layer is 'Things' (1 object): add --objects 'Things' if they are"), "{ran:?}");
+}
+
+/// The last guess of all: words of other languages.
+#[test]
+fn other_languages() {
+    for name in [
+        "Kollision",
+        "Mauern",
+        "W\u{e4}nde",
+        "Plattformen",
+        "Murs",
+        "Plateformes",
+        "Colisiones",
+        "paredes_1",
+        "Colis\u{e3}o",
+        "\u{421}\u{442}\u{435}\u{43d}\u{44b}",
+        "\u{78b0}\u{649e}\u{5c42}",
+        "\u{5899}\u{58c1}",
+        "\u{5f53}\u{305f}\u{308a}\u{5224}\u{5b9a}",
+        "Boden",
+        "Suelo",
+        "Ch\u{e3}o",
+        "\u{5730}\u{9762}",
+        "\u{5e8a}",
+    ] {
+        let (found, notes) = cells(&[(name, "##."), ("Trees", "..#")], PLAIN, &[]);
+        assert!(
+            found == "2 0" && notes.contains(&format!("GUESS: nothing marks solid tiles, so layer '{name}'")),
+            "{name}: {notes}"
+        );
+    }
+    for name in [
+        "Hintergrund Mauer",
+        "Wanderung",
+        "Sonne",
+        "ohne Kollision",
+        "pared de fondo",
+        "\u{80cc}\u{666f}\u{306e}\u{58c1}",
+        "\u{440}\u{430}\u{441}\u{442}\u{435}\u{43d}\u{438}\u{44f}",
+    ] {
+        assert_eq!(cells(&[(name, "##.")], PLAIN, &[]).0, "", "{name}");
+    }
+    // Walls are surer than ground, and English words are surer than others.
+    let (found, notes) = cells(&[("Boden", "###"), ("Mauer", "#..")], PLAIN, &[]);
+    assert!(
+        found == "1 0" && notes.contains("layer 'Boden' is not solid, because a surer name of a layer is"),
+        "{notes}"
+    );
+    assert_eq!(cells(&[("Mauer", "##."), ("Walls", "..#")], PLAIN, &[]).0, "1 0");
+    assert_eq!(cells(&[("Mauer", "##."), ("Collision", "..#")], PLAIN, &[]), ("1 0".to_owned(), String::new()));
 }
