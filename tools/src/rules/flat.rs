@@ -5,6 +5,10 @@ use super::kind::Kind;
 use super::knots;
 use crate::geometry::{Point, doubled_area};
 
+/// Taking a polygon apart takes seconds if it has ten thousand corners. The library refuses a larger
+/// one without an area.
+const MOST_CORNERS: usize = 2000;
+
 /// Why an outline is nothing. `None` if it is something.
 pub(super) fn why(kind: Kind, closed: bool, points: &[Point]) -> Option<String> {
     let same = |of: fn(&Point) -> i64| points.windows(2).all(|pair| of(&pair[0]) == of(&pair[1]));
@@ -21,7 +25,7 @@ pub(super) fn why(kind: Kind, closed: bool, points: &[Point]) -> Option<String> 
         ("it has 2 corners", "draw a third one")
     } else if x || y {
         (if x { "its width is 0" } else { "its height is 0" }, "give it one, or draw a polyline, which is a wall")
-    } else if doubled_area(points) == 0 && !knots::has_inside(points) {
+    } else if points.len() <= MOST_CORNERS && doubled_area(points) == 0 && !knots::has_inside(points) {
         ("it has no area", "give it one, or draw a polyline, which is a wall")
     } else {
         return None;

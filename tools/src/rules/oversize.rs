@@ -64,7 +64,8 @@ impl Layers<'_> {
             let (column, row) = (x - tiles.at.0, y - tiles.at.1);
             let inside = (0..tiles.width as i32).contains(&column) && (0..tiles.height as i32).contains(&row);
             let entry = || tiles.cells.get(row as usize * tiles.width as usize + column as usize);
-            let piece = if inside { entry().and_then(|entry| sheet.pieces.get(entry)) } else { None };
+            let drawn = if inside { entry().filter(|entry| **entry != 0) } else { None };
+            let piece = drawn.and_then(|entry| sheet.pieces.get(entry));
             piece.is_some_and(|piece| *piece != Piece::Shape(TileShape::Empty))
         };
         let (mut count, mut over, mut beside) = (0, 0, 0);
