@@ -31,12 +31,13 @@ A tile is solid by the first of these rules that applies:
      collide, collidable, solid, blocked or blocking: every tile drawn there is full;
      with the words one way: every tile drawn there is one-way from above
   d  if no rule above makes anything solid: its class or a true property has a word of c
-     or is impassable, or its property walkable or passable is false; if still nothing is
-     solid: its layer is named wall, ground, terrain, platform, block, obstacle or physics; if
-     still nothing is: floor, boundary or barrier, then collision, wall, platform and ground in
-     German, French, Spanish, Portuguese, Russian, Chinese or Japanese. Ground that is nearly everywhere, and
-     on which such walls stand, is not solid, nor are tiles that are walkable, or whose
-     property solid or collides is false. Values of an
+     or is impassable, or its property walkable or passable is false (properties such as
+     collideUp name sides: all four are full, one is one-way); if still nothing is solid:
+     its layer is named wall, ground, terrain, platform, block, obstacle or physics; if
+     still nothing is: floor, boundary or barrier; then collision, wall, platform and
+     ground in German, French, Spanish, Portuguese, Russian, Chinese or Japanese. Ground
+     that is nearly everywhere, and on which such walls stand, is not solid, nor are
+     tiles that are walkable, or whose property solid or collides is false. Values of an
      LDtk IntGrid follow these words too, also dirt, stone, rock, brick, earth, and
      names of shapes, with flags: SlopeTopLeft_Ice. Values without an identifier
      follow the rules c and d of their layer. If nothing is solid so far, named values

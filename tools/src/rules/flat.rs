@@ -5,8 +5,8 @@ use super::kind::Kind;
 use super::knots;
 use crate::geometry::{Point, doubled_area};
 
-/// Taking a polygon apart takes seconds if it has ten thousand corners. The library refuses a larger
-/// one without an area.
+/// Taking a polygon apart takes seconds if it has ten thousand corners. The library refuses a
+/// larger one without an area.
 const MOST_CORNERS: usize = 2000;
 
 /// Why an outline is nothing. `None` if it is something.

@@ -13,11 +13,12 @@
 //!    collision, collider, collide, collidable, solid, blocked or blocking, or with the words one
 //!    way.
 //! 5. `d`: if nothing of the map is solid so far, and its class or a true property has a word of
-//!    `c` or is impassable, or its property `walkable` or `passable` is false. If still nothing is
-//!    solid: its layer has a name with the word wall, ground, terrain, platform, block, obstacle
-//!    or physics. If still nothing is: floor, boundary or barrier, then words of other languages.
-//!    Ground that walls stand on is not solid. In a layer of platforms, tiles without shapes are
-//!    full if few have some.
+//!    `c` or is impassable, or its property `walkable` or `passable` is false. Properties such as
+//!    `collideUp` name sides: all four are full, and one is one-way. If still nothing is solid: its
+//!    layer has a name with the word wall, ground, terrain, platform, block, obstacle or physics.
+//!    If still nothing is: floor, boundary or barrier, then words of other languages. Ground that
+//!    walls stand on is not solid. In a layer of platforms, tiles without shapes are full if few
+//!    have some.
 //!    For values of `LDtk` the words are the same, and dirt, stone, rock, brick and earth. Values
 //!    without an identifier follow the rules `c` and `d` of their layers.
 

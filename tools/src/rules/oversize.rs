@@ -56,8 +56,8 @@ impl Layers<'_> {
         }
     }
 
-    /// How many of these tiles there are, how many pictures lie over the cell of another solid tile,
-    /// and how many end where the next one begins.
+    /// How many of these tiles there are, how many pictures lie over the cell of another solid
+    /// tile, and how many end where the next one begins.
     fn laid(&self, sheet: &Sheet<'_>, drawn: &[(u32, Block)]) -> (usize, usize, usize) {
         let (tiles, own) = (sheet.tiles, self.map.grid);
         let solid = |x: i32, y: i32| {

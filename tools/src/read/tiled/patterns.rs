@@ -51,8 +51,8 @@ pub(super) struct Pattern {
     map_height: Option<u32>,
 }
 
-/// Adds the maps of a folder that fit a pattern to those that the world lists. A listed map, and one
-/// of an earlier pattern, keeps its position.
+/// Adds the maps of a folder that fit a pattern to those that the world lists. A listed map keeps
+/// its position, and so does one of an earlier pattern.
 pub(super) fn add(maps: &mut Vec<Listed>, patterns: &[Pattern], folder: &Path, files: &mut Files) -> Result<()> {
     if patterns.is_empty() {
         return Ok(());
