@@ -12,7 +12,7 @@ fn rect(x: Fx, y: Fx, w: Fx, h: Fx) -> Aabb {
     Aabb::new(low, low + Vec2::new(w, h)).unwrap()
 }
 
-fn ball(x: Fx, y: Fx, r: Fx) -> Circle {
+pub(super) fn ball(x: Fx, y: Fx, r: Fx) -> Circle {
     Circle::new(Vec2::new(x, y), r).unwrap()
 }
 
@@ -26,7 +26,7 @@ fn between(r: &mut Random, from: Fx, to: Fx) -> Fx {
 }
 
 /// How deep a body is in any other.
-fn depth(scene: &Swept, body: Handle) -> Fx {
+pub(super) fn depth(scene: &Swept, body: Handle) -> Fx {
     let shape = scene.body(body).unwrap().shape;
     let others = scene.bodies().filter(|(other, _)| *other != body);
     let depths = others.filter_map(|(_, it)| it.shape.contact(&shape)).map(|contact| contact.depth());

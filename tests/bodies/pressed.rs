@@ -1,9 +1,14 @@
-//! Fast bodies that others press against a wall slide along it, whatever the keys are.
+//! Fast bodies that others press against a wall slide along it, whatever the keys are, and rows of
+//! them stay rows.
 
-use tilesat::broad::SortSweep;
-use tilesat::scene::{SceneBody, SceneTag, Shape};
+use super::kept_out::{ball, depth};
+use super::steps::{Swept, step_with};
+use core::num::NonZeroU8;
+use tilesat::broad::{Handle, SortSweep};
+use tilesat::scene::{Reply, SceneBody, SceneTag, Shape};
 use tilesat::{Aabb, Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
 use tilesat_judge::scenes::BODIES;
+use tilesat_judge::{Random, cases};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
@@ -59,4 +64,50 @@ fn who_is_pressed_against_a_wall_slides_along_it() {
         }
     }
     assert_eq!(cases, 96);
+}
+
+/// A driver that gets its velocity again in each step presses a row of fast bodies of any sizes and
+/// masses against a wall: crates on a floor, or crates and balls seen from above.
+#[test]
+fn rows_that_are_pressed_against_a_wall_stay_rows() {
+    let text = "#...........#\n".repeat(3) + "#############";
+    let level = TileMap::from_ascii(&text, &KINDS).unwrap();
+    let (mut runs, mut pressed) = (0, 0);
+    for case in 0..cases(600) {
+        let r = &mut Random::new(case);
+        let gravity = if r.one_in(2) { Fx::ZERO } else { Fx::from_bits(r.below(1 << 15) as i32) };
+        let mut scene = Swept::new(SortSweep::new());
+        let (mut row, mut right, mut side, mut whole) = (Vec::new(), fx!(192), Fx::MAX, Fx::ZERO);
+        let first_key = r.below(2) as u32 * 100;
+        for at in 0..2 + r.below(5) as u32 {
+            let half = fx!(4) + Fx::from_bits(r.below(6 << 16) as i32);
+            let y = if gravity == Fx::ZERO { fx!(24) } else { fx!(48) - half };
+            let centre = Vec2::new(right - half, y);
+            let crate_ = || Aabb::from_centre(centre, Vec2::new(half, half)).unwrap();
+            let round = gravity == Fx::ZERO && r.one_in(2);
+            let shape = if round { ball(centre.x, centre.y, half).into() } else { Shape::Aabb(crate_()) };
+            let mass = NonZeroU8::new(1 + r.below(255) as u8);
+            let body = SceneBody { mass, fast: true, ..SceneBody::of_shape(shape, first_key.abs_diff(at)) };
+            row.push(scene.insert(&body).unwrap());
+            right -= half + half + Fx::from_bits(r.below(2 << 16) as i32);
+            (side, whole) = (side.min(half + half), whole + half + half);
+        }
+        let driver = *row.last().unwrap();
+        let speed = fx!(0.1) + Fx::from_bits(r.below(side.to_bits().into()) as i32);
+        let x = |scene: &Swept, at: Handle| scene.body(at).unwrap().shape.position().x;
+        let mut deepest = Fx::ZERO;
+        for _ in 0..200 {
+            let own = scene.body(driver).unwrap().velocity;
+            scene.set_velocity(driver, Vec2::new(speed, own.y)).unwrap();
+            step_with(&mut scene, &level, Vec2::new(Fx::ZERO, gravity), &mut |_| Reply::Meet, &mut |_| ()).unwrap();
+            deepest = row.iter().map(|&body| depth(&scene, body)).fold(deepest, Fx::max);
+            let in_order = row.windows(2).all(|two| x(&scene, two[1]) < x(&scene, two[0]));
+            assert!(in_order, "case {case}: one has passed another");
+        }
+        let length = fx!(192) - scene.body(driver).unwrap().shape.aabb().min().x;
+        assert!(deepest < fx!(0.02), "case {case}: {deepest} deep");
+        (runs, pressed) = (runs + 1, pressed + u64::from(length < whole + fx!(0.1)));
+    }
+    // A light driver may need longer to bring heavy bodies together.
+    assert!(pressed * 10 > runs * 9, "{pressed} of {runs}");
 }
