@@ -103,9 +103,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let (start, quiet) =
             (known.position() - by, if moved { slot.quiet_before(by) } else { slot.quiet_and_drift() });
         if !moved {
-            let before = Before::of(slot);
+            let before = self.trip.fixed.map(|_| Before::of(slot));
             self.trip.make(slot, (handle, ground), self.memory, self.near, self.stepped, each);
-            if self.trip.fixed.is_some() {
+            if let Some(before) = before {
                 self.trip.keep_out((self.slots, self.near, self.memory), handle, &before, replies);
             }
             let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };

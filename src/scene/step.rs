@@ -347,9 +347,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             } else if slot.way.pace == Pace::Slow {
                 let ground = ground_under(&self.slots, handle);
                 let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-                let before = Before::of(slot);
+                let before = trip.fixed.map(|_| Before::of(slot));
                 trip.make(slot, (handle, ground), &mut self.memory, &mut self.near, stepped, each);
-                if trip.fixed.is_some() {
+                if let Some(before) = before {
                     trip.keep_out((&mut self.slots, &mut self.near, &mut self.memory), handle, &before, replies);
                 }
             } else {

@@ -7,7 +7,6 @@ use tilesat::{TileKinds, TileShape};
 
 use super::{Baked, things};
 use crate::fail::{Fail, Result};
-use crate::rules::ground::Doubt;
 use crate::rules::names;
 use crate::rules::outline::LeftOut;
 
@@ -114,8 +113,7 @@ impl Baked {
 
     /// What the author probably did not intend: a line each.
     pub fn warnings(&self) -> Vec<String> {
-        let beyond = self.ground.left_out.iter().filter_map(LeftOut::warning);
-        beyond.chain(self.ground.doubts.iter().map(Doubt::to_string)).collect()
+        self.ground.warnings()
     }
 
     /// What a build script reports: what the author probably did not intend, and what is in no

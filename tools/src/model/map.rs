@@ -139,6 +139,14 @@ impl Tiles {
             row.iter().zip(self.at.0..).filter(|(cell, _)| **cell != 0).map(move |(&cell, x)| (x, y, cell))
         })
     }
+
+    /// The palette entry in a column and row, unless the cell is empty or outside of the layer.
+    pub(crate) fn entry(&self, (x, y): (i64, i64)) -> Option<u32> {
+        let (x, y) = (x - i64::from(self.at.0), y - i64::from(self.at.1));
+        let inside = (0..i64::from(self.width)).contains(&x) && (0..i64::from(self.height)).contains(&y);
+        let cell = if inside { self.cells.get((y * i64::from(self.width) + x) as usize) } else { None };
+        cell.copied().filter(|cell| *cell != 0)
+    }
 }
 
 impl Layer {

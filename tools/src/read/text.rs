@@ -9,8 +9,8 @@ const HIGH: [char; 32] = [
     '\u{17e}', '\u{178}',
 ];
 
-/// The bytes of a file in UTF-8. Converts UTF-16, and XML that names a
-/// western encoding of one byte. All other bytes stay as they are.
+/// The bytes of a file in UTF-8. Converts UTF-16, and XML that names a western encoding of one
+/// byte. All other bytes stay as they are.
 pub(super) fn utf8(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     if bytes.starts_with(b"\xff\xfe\0\0") || bytes.starts_with(b"\0\0\xfe\xff") {
         return Err("text in UTF-32: save it as UTF-8".to_owned());

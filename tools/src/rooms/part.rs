@@ -6,7 +6,7 @@ use crate::bake::segments;
 use crate::fail::{Fail, Result};
 use crate::model::map::{Map, Place};
 use crate::rules::flags::Flags;
-use crate::rules::ground::{Doubt, Ground};
+use crate::rules::ground::Ground;
 use crate::rules::options::Options;
 use crate::rules::outline::{LeftOut, Outline};
 
@@ -52,8 +52,8 @@ impl Part {
         let repeated = segments::once(&mut ground.outlines);
         ground.notes.extend(repeated);
         segments::refuse_crossed(&ground.outlines)?;
-        let (slips, objects) = ground.left_out.drain(..).partition::<Vec<_>, _>(|object| object.suspicious);
-        ground.left_out = objects;
+        let warnings = ground.warnings();
+        ground.left_out.retain(|object| !object.suspicious);
         let level = Level::with(&ground, &flags.names, ids)?;
         // In a linear world, LDtk puts all levels at (-1, -1).
         let place = map.place.filter(|place| !map.values || (place.x, place.y) != (-1, -1));
@@ -90,11 +90,7 @@ impl Part {
             outlines: ground.outlines,
             objects: ground.left_out,
             unused: ground.unused,
-            warnings: slips
-                .iter()
-                .filter_map(LeftOut::warning)
-                .chain(ground.doubts.iter().map(Doubt::to_string))
-                .collect(),
+            warnings,
             notes: ground.notes,
         })
     }

@@ -98,6 +98,12 @@ impl Ground {
         make(map, options, flags).map_err(Fail::new)
     }
 
+    /// What the author probably did not intend: a line each.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let slips = self.left_out.iter().filter_map(LeftOut::warning);
+        slips.chain(self.doubts.iter().map(Doubt::to_string)).collect()
+    }
+
     /// Whether something is drawn, and nothing of it is solid.
     pub(crate) fn is_hollow(&self) -> bool {
         !self.is_solid() && self.doubts.iter().any(|doubt| doubt.who == LEVEL)

@@ -25,8 +25,7 @@ pub(super) fn of(points: &[Point]) -> Knot {
     let Some(first) = repeated(points).map(|(_, at)| points[at]).or_else(|| Some(crossing(points, |_| true)?.2)) else {
         return Knot::Plain;
     };
-    let Some(loops) = loops(points.to_vec()) else { return Knot::Unclear(first) };
-    let loops: Vec<Loop> = loops.into_iter().filter_map(Loop::new).collect();
+    let Some(loops) = Loop::all(points) else { return Knot::Unclear(first) };
     let depth = |inner: &Loop| -> i128 {
         let around = loops.iter().filter(|outer| outer.contains(inner));
         around.map(|outer| outer.area.signum()).sum::<i128>() + inner.area.signum()
@@ -45,14 +44,14 @@ pub(super) fn of(points: &[Point]) -> Knot {
 /// The parts of a polygon if they have one direction, as those of a star. Its inside is their
 /// union.
 pub(super) fn parts(points: &[Point]) -> Option<Vec<Vec<Point>>> {
-    let parts: Vec<Loop> = loops(points.to_vec())?.into_iter().filter_map(Loop::new).collect();
+    let parts = Loop::all(points)?;
     let same = parts.windows(2).all(|pair| pair[0].area.signum() == pair[1].area.signum());
     same.then(|| parts.into_iter().map(|part| part.points).collect())
 }
 
 /// Whether a polygon surrounds anything.
 pub(super) fn has_inside(points: &[Point]) -> bool {
-    loops(points.to_vec()).is_none_or(|loops| loops.into_iter().any(|part| Loop::new(part).is_some()))
+    Loop::all(points).is_none_or(|loops| !loops.is_empty())
 }
 
 /// A part that does not cross itself.
@@ -64,6 +63,11 @@ struct Loop {
 }
 
 impl Loop {
+    /// Those of a polygon that have an inside.
+    fn all(points: &[Point]) -> Option<Vec<Self>> {
+        Some(loops(points.to_vec())?.into_iter().filter_map(Self::new).collect())
+    }
+
     /// `None` for one without an inside.
     fn new(points: Vec<Point>) -> Option<Self> {
         let area = doubled_area(&points);

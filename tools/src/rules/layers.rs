@@ -120,10 +120,9 @@ impl<'a> Layers<'a> {
             if value && rule == Rule::C && meaning.verdict.is_none() {
                 unnamed.push(entry);
             }
-            let what = what.clone();
             self.put(&mut sheet, entry, solid);
             let drawn = sheet.pieces.get(&entry).filter(|_| solid == Solid::Drawn);
-            let what = drawn.map_or(what.clone(), |piece| format!("{what} are {}", became(piece)));
+            let what = drawn.map_or_else(|| what.clone(), |piece| format!("{what} are {}", became(piece)));
             self.ledger.add(rule, &what, count);
         }
         if let Some(by) = &by_layer {

@@ -162,26 +162,23 @@ type Formed = (Kind, Corners, bool);
 /// The forms of a solid object. A solid tile has the shapes of Tiled's collision editor, if it has
 /// some.
 fn formed(map: &Map, object: &Object, kind: Kind, mut corners: Corners, shapes: Vec<Path>) -> Vec<Formed> {
-    let Form::Tile(stamp) = &object.form else {
-        // A line that is drawn as a rectangle.
-        if kind == Kind::OneWay && object.form == Form::Rectangle && object.size.1 == Decimal::ZERO {
-            corners.points.truncate(2);
-            corners.closed = false;
+    // A line that is drawn as a rectangle.
+    let mut is_line = object.form == Form::Rectangle && object.size.1 == Decimal::ZERO;
+    if let Form::Tile(stamp) = &object.form {
+        if kind == Kind::Solid && !shapes.is_empty() {
+            let placed = |path: Path| {
+                let points = form::of_picture(object, stamp, &path.points);
+                (path.kind, Corners { points, closed: path.closed, error: path.error }, path.torn)
+            };
+            return shapes.into_iter().map(placed).collect();
         }
-        return vec![(kind, corners, false)];
-    };
-    if kind == Kind::Solid && !shapes.is_empty() {
-        let placed = |path: Path| {
-            let points = form::of_picture(object, stamp, &path.points);
-            (path.kind, Corners { points, closed: path.closed, error: path.error }, path.torn)
-        };
-        return shapes.into_iter().map(placed).collect();
-    }
-    // The picture can be smaller than the object.
-    let ((x, y), (right, bottom)) = stamps::picture(&map.tilesets[stamp.tileset], stamp, object.size);
-    corners.points = form::of_picture(object, stamp, &[(x, y), (right, y), (right, bottom), (x, bottom)]);
-    if kind == Kind::OneWay {
+        // The picture can be smaller than the object.
+        let ((x, y), (right, bottom)) = stamps::picture(&map.tilesets[stamp.tileset], stamp, object.size);
+        corners.points = form::of_picture(object, stamp, &[(x, y), (right, y), (right, bottom), (x, bottom)]);
         // Bodies stand on top of it, as on a tile of the level.
+        is_line = true;
+    }
+    if kind == Kind::OneWay && is_line {
         corners.points.truncate(2);
         corners.closed = false;
     }

@@ -61,11 +61,7 @@ impl Layers<'_> {
     fn laid(&self, sheet: &Sheet<'_>, drawn: &[(u32, Block)]) -> (usize, usize, usize) {
         let (tiles, own) = (sheet.tiles, self.map.grid);
         let solid = |x: i32, y: i32| {
-            let (column, row) = (x - tiles.at.0, y - tiles.at.1);
-            let inside = (0..tiles.width as i32).contains(&column) && (0..tiles.height as i32).contains(&row);
-            let entry = || tiles.cells.get(row as usize * tiles.width as usize + column as usize);
-            let drawn = if inside { entry().filter(|entry| **entry != 0) } else { None };
-            let piece = drawn.and_then(|entry| sheet.pieces.get(entry));
+            let piece = tiles.entry((x.into(), y.into())).and_then(|entry| sheet.pieces.get(&entry));
             piece.is_some_and(|piece| *piece != Piece::Shape(TileShape::Empty))
         };
         let (mut count, mut over, mut beside) = (0, 0, 0);

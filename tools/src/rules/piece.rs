@@ -52,6 +52,14 @@ pub(super) struct Path {
     pub(super) torn: bool,
 }
 
+impl Path {
+    /// The parts of a polygon that crosses itself.
+    pub(super) fn parts(&self, parts: Vec<Vec<Point>>) -> Vec<Self> {
+        let spots = |part: Vec<Point>| part.into_iter().map(weld::exact).collect();
+        parts.into_iter().map(|part| Self { points: spots(part), torn: true, ..self.clone() }).collect()
+    }
+}
+
 /// The drawing position of a tile, in pixels from the corner of its cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Frame {
@@ -208,9 +216,7 @@ fn onto_border(paths: &mut [Path], frame: Frame, weld: i64) {
 fn untied(paths: Vec<Path>, frame: Frame, weld: i64) -> Vec<Path> {
     let apart = |path: Path| match knots::of(&raw(&path.points)) {
         Knot::Parts(parts) if path.closed && path.kind.has_area() => {
-            let spots = |part: Vec<Point>| part.into_iter().map(weld::exact).collect();
-            let part = |part| Path { points: spots(part), torn: true, ..path.clone() };
-            let mut parts: Vec<Path> = parts.into_iter().map(part).collect();
+            let mut parts = path.parts(parts);
             onto_border(&mut parts, frame, weld);
             parts
         }

@@ -4,8 +4,7 @@
 use super::flat;
 use super::knots::{self, Knot};
 use super::piece::{Frame, Path, path};
-use super::weld::exact;
-use crate::geometry::{Meeting, Point, crossing};
+use crate::geometry::{Meeting, crossing};
 use crate::model::decimal::Decimal;
 use crate::model::object::{Spot, Stamp, raw};
 use crate::model::tileset::Tileset;
@@ -44,12 +43,8 @@ fn untied(path: Path, tile: u32) -> Result<Vec<Path>, String> {
     if !(path.closed && path.kind.has_area()) {
         return Ok(vec![path]);
     }
-    let part = |points: Vec<Point>| {
-        let points = points.into_iter().map(exact).collect();
-        Path { points, torn: true, ..path.clone() }
-    };
     match knots::of(&points) {
-        Knot::Parts(parts) => return Ok(parts.into_iter().map(part).collect()),
+        Knot::Parts(parts) => return Ok(path.parts(parts)),
         Knot::Plain if crossing(&points, |meeting| matches!(meeting, Meeting::Cross(_))).is_none() => {
             return Ok(vec![path]);
         }
@@ -61,7 +56,7 @@ fn untied(path: Path, tile: u32) -> Result<Vec<Path>, String> {
              put its corners in order"
         )
     })?;
-    Ok(parts.into_iter().map(part).collect())
+    Ok(path.parts(parts))
 }
 
 /// The corners of the picture in an object of this size.

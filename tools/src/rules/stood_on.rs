@@ -95,20 +95,12 @@ fn mostly(part: u64, all: u64) -> bool {
     part > 0 && part.saturating_mul(4) >= all.saturating_mul(3)
 }
 
-/// Whether the ground has a tile in this column and row of its own.
-fn has(ground: &Sheet<'_>, (x, y): (i64, i64)) -> bool {
-    let tiles = ground.tiles;
-    let (x, y) = (x - i64::from(tiles.at.0), y - i64::from(tiles.at.1));
-    let inside = (0..i64::from(tiles.width)).contains(&x) && (0..i64::from(tiles.height)).contains(&y);
-    inside && tiles.cells.get((y * i64::from(tiles.width) + x) as usize).is_some_and(|cell| *cell != 0)
-}
-
 /// Whether most tiles of a layer are over tiles of the ground.
 fn stands(walls: &Sheet<'_>, ground: &Sheet<'_>) -> bool {
     if Lattice::of(walls) != Lattice::of(ground) || walls.layer.offset != ground.layer.offset {
         return false;
     }
-    let over = walls.tiles.drawn().filter(|(x, y, _)| has(ground, (i64::from(*x), i64::from(*y))));
+    let over = walls.tiles.drawn().filter(|(x, y, _)| ground.tiles.entry((i64::from(*x), i64::from(*y))).is_some());
     mostly(over.count() as u64, drawn(walls))
 }
 
@@ -123,7 +115,7 @@ fn stand(objects: &[Object], layer: &Layer, ground: &Sheet<'_>) -> bool {
             (lo + (hi - lo) / 2 + offset).div_euclid(side)
         };
         let (of, on) = (layer.offset, ground.layer.offset);
-        has(ground, (middle(|p| p.0, raw(of.0) - raw(on.0)), middle(|p| p.1, raw(of.1) - raw(on.1))))
+        ground.tiles.entry((middle(|p| p.0, raw(of.0) - raw(on.0)), middle(|p| p.1, raw(of.1) - raw(on.1)))).is_some()
     };
     let forms = objects.iter().filter(|object| form::has_extent(object)).filter_map(form::corners);
     let found: Vec<bool> = forms.map(|corners| over(&corners.points)).collect();

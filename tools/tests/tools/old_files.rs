@@ -157,13 +157,13 @@ fn tiles_of_rules_lie_between_cells() {
 /// Old versions of Tiled had no types, and texts of several lines are the content of the element.
 #[test]
 fn truth_with_blanks() {
+    let walls = |inner: &str| {
+        let tile = format!("<tile id=\"0\"><properties><property name=\"solid\"{inner}</properties></tile>");
+        rows(&["##"]).replace(r#"<tile id="0" type="Solid"/>"#, &tile).replace(r#"name="World""#, r#"name="Walls""#)
+    };
     let tiles = |inner: &str| {
-        let text = rows(&["##"]).replace(r#"type="Solid""#, "").replace(
-            r#"<tile id="0" />"#,
-            &format!("<tile id=\"0\"><properties><property name=\"solid\"{inner}</properties></tile>"),
-        );
-        let text = text.replace(r#"name="World""#, r#"name="Walls""#);
-        ground("blanks.tmx", &text).applied.into_iter().map(|applied| applied.what).collect::<Vec<_>>()
+        let applied = ground("blanks.tmx", &walls(inner)).applied;
+        applied.into_iter().map(|applied| applied.what).collect::<Vec<_>>()
     };
     for inner in [
         ">true\n</property>",
@@ -179,13 +179,6 @@ fn truth_with_blanks() {
     for inner in
         [">false\n</property>", " value=\" False \"/>", " value=\" 0\"/>", " type=\"bool\">\n false\n</property>"]
     {
-        let text = rows(&["##"]).replace(
-            r#"<tile id="0" type="Solid"/>"#,
-            &format!("<tile id=\"0\"><properties><property name=\"solid\"{inner}</properties></tile>"),
-        );
-        assert!(
-            refused("denied.tmx", &text.replace(r#"name="World""#, r#"name="Walls""#)).contains("nothing is solid"),
-            "{inner}"
-        );
+        assert!(refused("denied.tmx", &walls(inner)).contains("nothing is solid"), "{inner}");
     }
 }
