@@ -41,7 +41,7 @@ pub(super) fn collect_effects<S: BodyShape>(
 ) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
-    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked));
+    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), tried_part(a, b, gravity));
     let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
     for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
@@ -55,14 +55,37 @@ pub(super) fn collect_effects<S: BodyShape>(
     is_hit
 }
 
-/// The pushes that part two bodies. One that is blocked tries its share again, and the other makes
-/// the whole correction.
-fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8)) -> (Vec2, Vec2) {
+/// A crate at a blocked side tries one part in so many of its share.
+///
+/// If it tried all of it, it would come into the next one of a row that a hero presses against a
+/// wall. Such overlaps add up along the row: with 16-unit crates, 2 units per step and five crates,
+/// to 9 units in place of 2. A row that is free would stop in every other step. One in 4 is too
+/// much for rows of eight.
+const CRATES_TRY: u32 = 64;
+
+/// Which part of its share a body of a pair tries at a blocked side, as one in so many.
+///
+/// Heaps of balls come to rest only if they try all of it. Boxes seen from above would get stuck in
+/// doors. Fast bodies do not come into each other.
+fn tried_part<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> u32 {
+    let whole = |slot: &Slot<S>| slot.body.fast || slot.body.shape.is_round();
+    if gravity == Vec2::ZERO || whole(a) || whole(b) { 1 } else { CRATES_TRY }
+}
+
+/// The pushes that part two bodies. One that is blocked tries a part of its share again, and the
+/// other makes the whole correction.
+fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), part: u32) -> (Vec2, Vec2) {
     let of = |masses: Masses| separate(contact, masses.share_of_a());
+    let tried = |push: Vec2| {
+        let (x, y) = push.raw();
+        // At least a raw unit, or the body would never find that the side is free.
+        let one = |c: i32| c.signum().wrapping_mul(c.unsigned_abs().div_ceil(part) as i32);
+        Vec2::from_raw(one(x), one(y))
+    };
     let (by_a, by_b) = of(meeting.masses);
     match (leads_to_blocked(a, by_a), leads_to_blocked(b, by_b)) {
-        (true, false) if meeting.moves_b => (by_a, of(Masses::A_FIXED).1),
-        (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, by_b),
+        (true, false) if meeting.moves_b => (tried(by_a), of(Masses::A_FIXED).1),
+        (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, tried(by_b)),
         _ => (by_a, by_b),
     }
 }
