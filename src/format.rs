@@ -103,7 +103,7 @@ impl Format for SceneEvent<'_> {
             Self::Level { body, hits, flags, velocity } => {
                 write!(f, "Level {{ body: {}, hits: {}, flags: {}, velocity: {} }}", body, hits, flags, velocity);
             }
-            Self::Held(error) => write!(f, "Held({})", error),
+            Self::Held { body, fault } => write!(f, "Held {{ body: {}, fault: {} }}", body, fault),
         }
     }
 }

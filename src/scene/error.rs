@@ -61,11 +61,19 @@ impl fmt::Display for SceneError {
         if let (Some(body), false) = (self.body, matches!(self.fault, SceneFault::Broad(BroadError::Stale(_)))) {
             write!(f, "body {} (generation {}): ", body.slot(), body.generation())?;
         }
-        match self.fault {
-            SceneFault::Broad(e) => e.fmt(f),
-            SceneFault::Move(e) => e.fmt(f),
+        self.fault.fmt(f)
+    }
+}
+
+impl fmt::Display for SceneFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Broad(e) => e.fmt(f),
+            Self::Move(e) => e.fmt(f),
         }
     }
 }
 
 impl core::error::Error for SceneError {}
+
+impl core::error::Error for SceneFault {}

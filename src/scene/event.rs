@@ -1,6 +1,6 @@
 //! What a step of a scene reports: its events, and the work that it took.
 
-use super::SceneError;
+use super::SceneFault;
 use crate::broad::{Handle, Pair};
 use crate::motion::Hits;
 use crate::num::{Axis, Fx, Toi, Vec2};
@@ -46,7 +46,12 @@ pub enum SceneEvent<'a> {
     },
     /// A body could not be moved: it overlaps the level, its motion is too long, or it would leave
     /// the domain or the broad phase. It stays where it was, and its velocity is now zero.
-    Held(SceneError),
+    Held {
+        /// The body.
+        body: Handle,
+        /// Why it could not be moved.
+        fault: SceneFault,
+    },
 }
 
 /// The work of a step, for budgets and tests.

@@ -19,7 +19,7 @@ use super::memory::Remembered;
 use super::reply::{Replies, Reply};
 use super::through_level::{Touched, Trip, hold_in_place};
 use super::two_ways::{TwoWays, pushed};
-use super::{Scene, SceneError, SceneEvent, SceneFault, Stepped};
+use super::{Scene, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::{Hit, Hits, Surface};
@@ -197,7 +197,7 @@ where
                     (slot.body.velocity, slot.way.rate) = (Vec2::ZERO, Vec2::ZERO);
                     (slot.way.turns, slot.way.end) = (BodyWay::HELD, (Toi::ONE, WayEnd::Step));
                     self.stepped.held += 1;
-                    (self.each)(SceneEvent::Held(SceneError::of(handle, fault)));
+                    (self.each)(SceneEvent::Held { body: handle, fault });
                 }
             }
         }

@@ -10,7 +10,7 @@ use super::memory::{Causes, Made, Remembered, Rest, Start, keep, known, note, re
 use super::pressed::Pressed;
 use super::resting::{down, holds_up};
 use super::velocities::toward;
-use super::{SceneBody, SceneError, SceneEvent, SceneFault, Sleep, Stepped};
+use super::{SceneBody, SceneEvent, SceneFault, Sleep, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::motion::{Body, Hit, Moved, Mover, Response, Surface};
@@ -406,5 +406,5 @@ pub(super) fn hold_in_place<S>(
     (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));
     slot.way = BodyWay { turns: BodyWay::HELD, ..BodyWay::REST };
     stepped.held += 1;
-    each(SceneEvent::Held(SceneError::of(handle, fault)));
+    each(SceneEvent::Held { body: handle, fault });
 }

@@ -4,7 +4,7 @@ use super::swept::vec2;
 use tilesat::broad::{Handle, Pair, SortSweep};
 use tilesat::motion::Hits;
 use tilesat::query::Contact;
-use tilesat::scene::{SceneBody, SceneError, SceneEvent, SceneTag, Shape, Sleep, Stepped};
+use tilesat::scene::{SceneBody, SceneEvent, SceneFault, SceneTag, Shape, Sleep, Stepped};
 use tilesat::world::Trail;
 use tilesat::{
     Aabb, AllShapes, Axis, Circle, Fx, Grid, Outside, Ratio, Scene, Surface, TileKind, TileKinds, TileMap, TileShape,
@@ -36,7 +36,7 @@ enum Told {
     Touch(Pair, Option<Contact>),
     Meet(Pair, Toi, Axis, Fx),
     Level(Handle, Hits, u8, Vec2),
-    Held(SceneError),
+    Held(Handle, SceneFault),
 }
 
 impl Told {
@@ -45,7 +45,7 @@ impl Told {
             SceneEvent::Touch { pair, contact } => Self::Touch(pair, contact.copied()),
             SceneEvent::Meet { pair, toi, axis, speed } => Self::Meet(pair, toi, axis, speed),
             SceneEvent::Level { body, hits, flags, velocity } => Self::Level(body, *hits, flags, velocity),
-            SceneEvent::Held(error) => Self::Held(error),
+            SceneEvent::Held { body, fault } => Self::Held(body, fault),
             other => panic!("an event that this test does not know: {other:?}"),
         }
     }

@@ -372,8 +372,8 @@ fn what_cannot_be_moved_is_held_and_told() {
         held.clear();
         last = scene
             .step(&map, GRAVITY, |event| {
-                if let SceneEvent::Held(error) = event {
-                    held.push(error);
+                if let SceneEvent::Held { body, .. } = event {
+                    held.push(body);
                 }
             })
             .unwrap();
@@ -386,14 +386,14 @@ fn what_cannot_be_moved_is_held_and_told() {
     let mut faults = Vec::new();
     let stepped = scene
         .step(&map, GRAVITY, |event| {
-            if let SceneEvent::Held(error) = event {
-                faults.push(error);
+            if let SceneEvent::Held { body, fault } = event {
+                faults.push((body, fault));
             }
         })
         .unwrap();
     println!("{faults:?} {:?}", scene.body(out));
     assert_eq!((stepped.moved, stepped.held), (2, 2));
-    let of = |handle| faults.iter().find(|error| error.body == Some(handle)).unwrap().fault;
+    let of = |handle| faults.iter().find(|(body, _)| *body == handle).unwrap().1;
     assert!(matches!(of(out), SceneFault::Broad(BroadError::OutOfWorld { .. })));
     assert!(matches!(of(stuck), SceneFault::Move(MoveError::Stuck(_))));
     assert!(scene.body(free).unwrap().shape == boxed(200, 118, 10, 10).into());

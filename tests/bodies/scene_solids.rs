@@ -133,7 +133,8 @@ fn play(kinds: i64, seed: u64, seen: &mut Seen) {
             }
             let here = ConvexSolids::new(&list);
             let joined = Joined::new(&level, &here);
-            let stepped = one.step(&joined, gravity, |event| assert!(!matches!(event, SceneEvent::Held(_)))).unwrap();
+            let stepped =
+                one.step(&joined, gravity, |event| assert!(!matches!(event, SceneEvent::Held { .. }))).unwrap();
             assert_eq!(two.step(&joined, gravity, |_| {}).unwrap().moved, stepped.moved);
             assert_eq!(all(&one), all(&two), "shuffled");
             for body in all(&one) {
@@ -318,7 +319,7 @@ fn bullets_hit_moving_walls() {
                         assert!(met.iter().all(|hit| matches!(hit.solid(), Some(1..=4))));
                         hits += 1;
                     }
-                    SceneEvent::Held(e) => panic!("{e:?}"),
+                    SceneEvent::Held { fault, .. } => panic!("{fault}"),
                     _ => {}
                 })
                 .unwrap();

@@ -215,8 +215,8 @@ impl<B: BroadPhase<Tag = SceneTag> + Copy> Stage<B> {
             .collect();
         let mut held = Vec::new();
         let stepped = self.scene.step(&room(), gravity, |event| {
-            if let SceneEvent::Held(error) = event {
-                held.extend(error.body);
+            if let SceneEvent::Held { body, .. } = event {
+                held.push(body);
             }
         });
         let stepped = stepped.map_err(|error| error.fault)?;

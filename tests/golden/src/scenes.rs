@@ -90,7 +90,7 @@ fn scene<S: BodyShape>(run: &mut Run<'_>, of: &'static str, draw: fn(&mut Random
                     hits.iter().for_each(|hit| one.add(*hit));
                     one.add(velocity);
                 }
-                SceneEvent::Held(error) => one.add(error.body),
+                SceneEvent::Held { body, .. } => one.add(Some(body)),
                 _ => {}
             }
             sum = sum.wrapping_add(one.value());
