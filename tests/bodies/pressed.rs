@@ -12,26 +12,35 @@ use tilesat_judge::{Random, cases};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
+/// The vector, or its mirror image with x and y exchanged.
+fn turn(turned: bool, v: Vec2) -> Vec2 {
+    if turned { Vec2::new(v.y, v.x) } else { v }
+}
+
 /// How far the one at the wall comes in 60 steps: pressed by `pressers` more in a file, with keys
-/// that rise or fall from it.
-fn slides(round: bool, pressers: i32, rising: bool, side: i32, gravity: Vec2, v: Vec2) -> Fx {
-    let text = "#...........#\n".repeat(8);
+/// that rise or fall from it. Turned, the walls are a ceiling and a floor.
+fn slides(round: bool, pressers: i32, rising: bool, (turned, side): (bool, i32), gravity: Vec2, v: Vec2) -> Fx {
+    let text = match turned {
+        false => "#...........#\n".repeat(8),
+        true => format!("########\n{}########\n", "........\n".repeat(11)),
+    };
     let level = TileMap::from_ascii(&text, &KINDS).unwrap();
     let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES>::new(SortSweep::new());
     let key = |at: i32| if rising { at } else { 9 - at } as u32;
     let mut bodies = Vec::new();
     for at in 0..=pressers {
         let x = if side > 0 { 178 - 14 * at } else { 16 + 14 * at } as i16;
-        let crate_ = Aabb::from_size(Vec2::from_ints(x, 8), Vec2::from_ints(14, 14)).unwrap();
+        let crate_ = Aabb::from_size(turn(turned, Vec2::from_ints(x, 8)), Vec2::from_ints(14, 14)).unwrap();
         let ball = || Circle::new(crate_.min() + Vec2::from_ints(7, 7), fx!(7)).unwrap();
         let shape = if at > 0 || !round { Shape::Aabb(crate_) } else { Shape::Circle(ball()) };
         let body = SceneBody { fast: true, floats: gravity == Vec2::ZERO, ..SceneBody::of_shape(shape, key(at)) };
         bodies.push(scene.insert(&body).unwrap());
     }
-    let start = scene.body(bodies[0]).unwrap().shape.position().y;
+    let along = |scene: &Scene<_, BODIES>| turn(turned, scene.body(bodies[0]).unwrap().shape.position()).y;
+    let start = along(&scene);
     for _ in 0..60 {
         for (at, &body) in bodies.iter().enumerate() {
-            let own = scene.body(body).unwrap().velocity.y;
+            let own = turn(turned, scene.body(body).unwrap().velocity).y;
             let y = if at > 0 {
                 Fx::ZERO
             } else if gravity == Vec2::ZERO {
@@ -39,11 +48,11 @@ fn slides(round: bool, pressers: i32, rising: bool, side: i32, gravity: Vec2, v:
             } else {
                 own
             };
-            scene.set_velocity(body, Vec2::new(v.x * side, y)).unwrap();
+            scene.set_velocity(body, turn(turned, Vec2::new(v.x * side, y))).unwrap();
         }
-        scene.step(&level, gravity, |_| {}).unwrap();
+        scene.step(&level, turn(turned, gravity), |_| {}).unwrap();
     }
-    scene.body(bodies[0]).unwrap().shape.position().y - start
+    along(&scene) - start
 }
 
 #[test]
@@ -53,17 +62,21 @@ fn who_is_pressed_against_a_wall_slides_along_it() {
         for (pressers, rising) in
             [(1, true), (1, false), (2, true), (2, false), (4, true), (4, false), (6, true), (6, false)]
         {
-            for (side, push) in [1, -1].into_iter().flat_map(|side| [fx!(0.5), fx!(1), fx!(2.3)].map(|v| (side, v))) {
-                let along = slides(round, pressers, rising, side, Vec2::ZERO, Vec2::new(push, fx!(0.7)));
-                // Without friction, nothing but the rounding of the ways slows it down.
-                assert!(along > fx!(40), "{round} {pressers} {rising} {side} {push}: {along}");
-                let falls = slides(round, pressers, rising, side, Vec2::from_raw(0, 1 << 14), Vec2::new(push, fx!(0)));
-                assert!(falls > fx!(60), "{round} {pressers} {rising} {side} {push}: falls by {falls}");
-                cases += 1;
+            for wall in [(false, 1), (false, -1), (true, 1), (true, -1)] {
+                for push in [fx!(0.5), fx!(1), fx!(2.3)] {
+                    let what = format!("{round} {pressers} {rising} {wall:?} {push}");
+                    let along = slides(round, pressers, rising, wall, Vec2::ZERO, Vec2::new(push, fx!(0.7)));
+                    // Without friction, nothing but the rounding of the ways slows it down.
+                    assert!(along > fx!(40), "{what}: {along}");
+                    let weight = Vec2::from_raw(0, 1 << 14);
+                    let falls = slides(round, pressers, rising, wall, weight, Vec2::new(push, fx!(0)));
+                    assert!(falls > fx!(60), "{what}: falls by {falls}");
+                    cases += 1;
+                }
             }
         }
     }
-    assert_eq!(cases, 96);
+    assert_eq!(cases, 192);
 }
 
 /// A driver that gets its velocity again in each step presses a row of fast bodies of any sizes and

@@ -297,3 +297,22 @@ fn what_wakes_still_lies() {
         assert!(wakes, "{speed}");
     }
 }
+
+/// A sensor that swings below a crate does not keep it awake, though it would hold the crate up.
+#[test]
+fn a_moving_sensor_lets_the_body_on_it_sleep() {
+    let level = TileMap::from_ascii("............\n............\n............\n############\n", &KINDS).unwrap();
+    let mut scene = S::new(SortSweep::new());
+    let weight = Vec2::from_raw(0, 6_554);
+    scene.insert(&SceneBody::fixed(bx(40, 30, 4, 8), 1)).unwrap();
+    let crate_ = scene.insert(&SceneBody::new(bx(36, 20, 14, 10), 2)).unwrap();
+    let zone = SceneBody::new(bx(45, 29, 4, 4), 3);
+    let filter = zone.filter.with_sensor(true);
+    let zone = scene.insert(&SceneBody { floats: true, filter, ..zone }).unwrap();
+    for step in 0..120 {
+        let swing = if step % 2 == 0 { fx!(0.125) } else { fx!(-0.125) };
+        scene.set_velocity(zone, Vec2::new(swing, Fx::ZERO)).unwrap();
+        scene.step(&level, weight, |_| {}).unwrap();
+    }
+    assert_eq!((scene.is_awake(crate_), scene.is_awake(zone)), (Ok(false), Ok(true)));
+}

@@ -1,6 +1,7 @@
 //! Segment maps as levels, against a judge that knows only the input polygons.
 
 use std::collections::BTreeMap;
+use tilesat::scene::Shape;
 use tilesat::{
     Aabb, Circle, Fx, PathKind, SegmentMap,
     world::{Feature, Geometry, OneWay},
@@ -111,6 +112,22 @@ fn features_come_once() {
                 }
             }
             assert!(got.iter().all(|(i, f)| features.get(i) == Some(f)));
+            // A body touches the flags of just the faces that it meets.
+            for body in [Body::Box { lo, hi }, scene.body(&mut random)] {
+                let met = |f: &&Feature| f.index & 1 == 0 && body.meets(ends(f).0, ends(f).1, true);
+                let expected = features.values().filter(met).fold(0, |all, f| all | f.flags);
+                let found = match body {
+                    Body::Box { lo, hi } => {
+                        let b = aabb(&scene, lo, hi);
+                        (map.flags_touched(&b), map.flags_touched(&Shape::Aabb(b)))
+                    }
+                    Body::Circle { c, r } => {
+                        let b = Circle::new(scene.vec2(c), Fx::from_bits(r as i32)).unwrap();
+                        (map.flags_touched(&b), map.flags_touched(&Shape::Circle(b)))
+                    }
+                };
+                assert_eq!(found, (expected, expected), "{scene:?} {body:?}");
+            }
         }
     }
 }
