@@ -59,9 +59,9 @@ pub(super) fn collect_effects<S: BodyShape>(
 ///
 /// If it tried all of it, it would come into the next one of a row that a hero presses against a
 /// wall. Such overlaps add up along the row: with 16-unit crates, 2 units per step and five crates,
-/// to 9 units in place of 2. A row that is free would stop in every other step. One in 4 is too
-/// much for rows of eight.
-const CRATES_TRY: u32 = 64;
+/// to 9 units in place of 2. But it must try more than a free neighbour pushes it back. With one in
+/// 64, five crates with friction stand before a door that opens.
+const CRATES_TRY: u32 = 4;
 
 /// Which part of its share a body of a pair tries at a blocked side, as one in so many.
 ///
@@ -73,7 +73,8 @@ fn tried_part<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> u32 {
 }
 
 /// The pushes that part two bodies. One that is blocked tries a part of its share again, and the
-/// other makes the whole correction.
+/// other makes the whole correction. If both are blocked, each makes half. By its share, a heavy
+/// body between two light ones would come into the one at the wall in each step.
 fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), part: u32) -> (Vec2, Vec2) {
     let of = |masses: Masses| separate(contact, masses.share_of_a());
     let tried = |push: Vec2| {
@@ -86,6 +87,7 @@ fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), part: u32) -> 
     match (leads_to_blocked(a, by_a), leads_to_blocked(b, by_b)) {
         (true, false) if meeting.moves_b => (tried(by_a), of(Masses::A_FIXED).1),
         (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, tried(by_b)),
+        (true, true) if meeting.moves_a && meeting.moves_b => of(Masses::EQUAL),
         _ => (by_a, by_b),
     }
 }

