@@ -1,7 +1,6 @@
 //! A wrong state is refused, with the fault and its place.
 
 use crate::values::{EDGE, Near, bouncer, convex_solids, grid, heroes, lists, rope, rubber, scene, solids, walker};
-use core::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json, to_value};
@@ -16,14 +15,19 @@ use tilesat::{
 use tilesat_judge::scenes::BODIES;
 
 /// A correct value with one wrong part is refused with these words.
-fn refused<T: Serialize + DeserializeOwned + Debug>(value: &T, path: &str, to: Value, words: &[&str]) {
-    let mut form = to_value(value).unwrap();
-    let place = form.pointer_mut(path).unwrap_or_else(|| panic!("no {path}: {:?}", to_value(value)));
+fn refused<T: Serialize + DeserializeOwned>(value: &T, path: &str, to: Value, words: &[&str]) {
+    // By way of text, as from a file.
+    let fault = |text: &str| serde_json::from_str::<T>(text).err().map(|error| error.to_string());
+    says(to_value(value).unwrap(), (path, to), words, &fault);
+}
+
+/// `fault` is why a text is refused.
+fn says(mut form: Value, (path, to): (&str, Value), words: &[&str], fault: &dyn Fn(&str) -> Option<String>) {
+    let whole = form.clone();
+    let place = form.pointer_mut(path).unwrap_or_else(|| panic!("no {path}: {whole:?}"));
     assert_ne!(*place, to, "{path} is not changed");
     *place = to;
-    // By way of text, as from a file.
-    let read = serde_json::from_str::<T>(&form.to_string());
-    let error = read.map(|_| form.to_string()).unwrap_err().to_string();
+    let error = fault(&form.to_string()).unwrap_or_else(|| panic!("{form} is read"));
     for word in words {
         assert!(error.contains(word), "{path}: {error:?} does not say {word:?}");
     }
