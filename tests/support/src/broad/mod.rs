@@ -7,7 +7,7 @@ pub mod reference;
 pub mod script;
 
 use near::Near;
-use tilesat::broad::{BruteForce, LooseGrid, SortSweep, SpatialHash, Tag};
+use tilesat::broad::{BroadPhase, BruteForce, LooseGrid, SortSweep, SpatialHash, Tag};
 use tilesat::{Aabb, Fx, Vec2};
 
 /// A key and a team. Bodies of one team do not pair, but those of team 0 pair with all.
@@ -50,11 +50,13 @@ pub trait Check {
 }
 
 /// Runs a check on each structure, which is full once the check has inserted this many bodies.
+/// Structures for more than 24 answer only about pairs: all answers of a size take a twelfth of
+/// this crate's build.
 pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
     match bodies {
-        0..=2 => with_room::<2>(bodies, cells, check),
-        3..=24 => with_room::<24>(bodies, cells, check),
-        _ => with_room::<90>(bodies, cells, check),
+        0..=2 => with_room::<2, true>(bodies, cells, check),
+        3..=24 => with_room::<24, true>(bodies, cells, check),
+        _ => with_room::<90, false>(bodies, cells, check),
     }
 }
 
@@ -62,7 +64,7 @@ pub fn everywhere(bodies: usize, cells: Cells, check: &mut dyn Check) {
 const AWAY: (i64, i64) = (1 << 20, 1 << 20);
 
 /// Each kind of structure is compiled for few sizes. Bodies without neighbours fill the extra room.
-fn with_room<const N: usize>(bodies: usize, cells: Cells, check: &mut dyn Check) {
+fn with_room<const N: usize, const ASKED: bool>(bodies: usize, cells: Cells, check: &mut dyn Check) {
     let (side, origin) = (Fx::from_bits(cells.side), Vec2::from_raw(cells.origin.0, cells.origin.1));
     let limit = Some(cells.side);
     let mut on = |name, limit, mut near: Near<Mark>| {
@@ -71,13 +73,17 @@ fn with_room<const N: usize>(bodies: usize, cells: Cells, check: &mut dyn Check)
         }
         check.on(name, limit, &near);
     };
-    on("brute force", None, Near::asked(BruteForce::<N, Mark>::new()));
-    on("sweep", None, Near::asked(SortSweep::<N, Mark>::new()));
-    on("grid 16 x 16", limit, Near::asked(LooseGrid::<8, N, Mark>::new(origin, side, 16).unwrap()));
-    on("grid 64 x 4, large", None, Near::asked(LooseGrid::<8, N, Mark, true>::new(origin, side, 64).unwrap()));
-    on("grid 4 x 64", limit, Near::asked(LooseGrid::<8, N, Mark>::new(origin, side, 4).unwrap()));
-    on("hash", limit, Near::asked(SpatialHash::<64, N, Mark>::new(side).unwrap()));
-    on("hash, large", None, Near::asked(SpatialHash::<256, N, Mark, true>::new(side).unwrap()));
+    on("brute force", None, near::<_, ASKED>(BruteForce::<N, Mark>::new()));
+    on("sweep", None, near::<_, ASKED>(SortSweep::<N, Mark>::new()));
+    on("grid 16 x 16", limit, near::<_, ASKED>(LooseGrid::<8, N, Mark>::new(origin, side, 16).unwrap()));
+    on("grid 64 x 4, large", None, near::<_, ASKED>(LooseGrid::<8, N, Mark, true>::new(origin, side, 64).unwrap()));
+    on("grid 4 x 64", limit, near::<_, ASKED>(LooseGrid::<8, N, Mark>::new(origin, side, 4).unwrap()));
+    on("hash", limit, near::<_, ASKED>(SpatialHash::<64, N, Mark>::new(side).unwrap()));
+    on("hash, large", None, near::<_, ASKED>(SpatialHash::<256, N, Mark, true>::new(side).unwrap()));
+}
+
+fn near<P: BroadPhase<Tag = Mark> + Copy + 'static, const ASKED: bool>(phase: P) -> Near<Mark> {
+    if ASKED { Near::asked(phase) } else { Near::paired(phase) }
 }
 
 /// The same on the structures that accept boxes of every size.

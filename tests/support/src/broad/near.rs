@@ -24,6 +24,11 @@ impl<T: Tag + 'static> Near<T> {
         Self(Box::new(Plain(phase)))
     }
 
+    /// A broad phase that also puts its pairs in order.
+    pub fn paired<P: BroadPhase<Tag = T> + Copy + 'static>(phase: P) -> Self {
+        Self(Box::new(Paired(phase)))
+    }
+
     /// A broad phase with all queries. All answers of a structure together take most of the compile
     /// time.
     pub fn asked<P: BroadPhase<Tag = T> + Copy + 'static>(phase: P) -> Self {
@@ -88,7 +93,7 @@ impl<T: Tag + 'static> Near<T> {
     }
 
     pub fn pairs_sorted(&mut self, out: &mut VecView<Pair>) -> Result<(), Truncated> {
-        self.0.asks_mut().pairs_sorted(out)
+        self.0.sorts().pairs_sorted(out)
     }
 
     pub fn pairs_of(&mut self, movers: &[Handle], mut each: impl FnMut(Pair)) -> Result<(), BroadError> {
@@ -191,8 +196,12 @@ answers! {
 }
 
 answers! {
-    Questions:
+    Sorts:
     pairs_sorted(self: &mut Self)(out: &mut VecView<Pair>) -> Result<(), Truncated>;
+}
+
+answers! {
+    Questions:
     collect_region(self: &Self)(region: &Aabb, out: &mut VecView<Handle>) -> Result<(), Truncated>;
     nearest(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool) -> Result<Option<Nearest>, RangeError>;
     neighbours(self: &Self)(point: Vec2, within: Fx, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<Nearest>) -> Result<(), QueryError>;
@@ -201,18 +210,19 @@ answers! {
     cast_shape(self: &Self)(start: &Aabb, motion: Vec2, wanted: &mut dyn FnMut(Handle, &T) -> bool, out: &mut VecView<BroadHit>) -> Result<(), QueryError>;
 }
 
-/// A structure whose answers to [`Questions`] are compiled only if somebody uses them.
+/// A structure whose answers to [`Sorts`] and [`Questions`] are compiled only if somebody uses
+/// them.
 trait Phase<T> {
     fn copy(&self) -> Box<dyn Phase<T>>;
     fn phase(&self) -> &dyn Bodies<T>;
     fn phase_mut(&mut self) -> &mut dyn Bodies<T>;
     fn list(&self) -> Vec<(Handle, Aabb, T)>;
+    fn sorts(&mut self) -> &mut dyn Sorts<T>;
     fn asks(&self) -> &dyn Questions<T>;
-    fn asks_mut(&mut self) -> &mut dyn Questions<T>;
 }
 
 macro_rules! phase {
-    ($kind:ident, $self:ident => $asks:expr, $asks_mut:expr) => {
+    ($kind:ident, $self:ident => $sorts:expr, $asks:expr) => {
         struct $kind<P>(P);
 
         impl<T: Tag + 'static, P: BroadPhase<Tag = T> + Copy + 'static> Phase<T> for $kind<P> {
@@ -232,20 +242,21 @@ macro_rules! phase {
                 self.0.bodies().collect()
             }
 
-            fn asks(&$self) -> &dyn Questions<T> {
-                $asks
+            fn sorts(&mut $self) -> &mut dyn Sorts<T> {
+                $sorts
             }
 
-            fn asks_mut(&mut $self) -> &mut dyn Questions<T> {
-                $asks_mut
+            fn asks(&$self) -> &dyn Questions<T> {
+                $asks
             }
         }
     };
 }
 
 fn unasked() -> ! {
-    panic!("`Near::asked` makes a structure that answers this")
+    panic!("`Near::asked`, or else `Near::paired`, makes a structure that answers this")
 }
 
 phase!(Plain, self => unasked(), unasked());
-phase!(Asked, self => &self.0, &mut self.0);
+phase!(Paired, self => &mut self.0, unasked());
+phase!(Asked, self => &mut self.0, &self.0);
