@@ -156,11 +156,11 @@
 //!   At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin.
 //! - **A row that a hero presses against a wall yields.** Boxes under gravity come into each other
-//!   by little more than one of its steps. When it hits them, it is three, or six in a row of eight.
-//!   Of 1500 random rows, one passes another in 32. Other shapes, and bodies seen from above, stay
-//!   in each other by up to four steps, and pass far more often. Flag all of them as `fast`: none is
-//!   then more than 1/50 of a unit in another. A crowd of fast bodies costs far more, and gets stuck
-//!   in a narrow door.
+//!   by little more than one of its steps. When it hits them, it is three, or six in a row of
+//!   eight. Of 1500 random rows, one passes another in 32. Other shapes, and bodies seen from
+//!   above, stay in each other by up to four steps, and pass far more often. Flag all of them as
+//!   `fast`: none is then more than 1/50 of a unit in another. A crowd of fast bodies costs far
+//!   more, and gets stuck in a narrow door.
 //! - **Friction slows a row down.** A hero that pushes five crates with a friction of 20 percent
 //!   moves at two thirds of its speed, though it is far heavier.
 //! - **Large heaps may keep moving**: of balls without friction, 2 of 180 heaps of 8 to 24, and
