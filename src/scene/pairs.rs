@@ -73,8 +73,8 @@ fn tried_part<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> u32 {
 }
 
 /// The pushes that part two bodies. One that is blocked tries a part of its share again, and the
-/// other makes the whole correction. If both are blocked, each makes half. By its share, a heavy
-/// body between two light ones would come into the one at the wall in each step.
+/// other makes the whole correction. If two crates are blocked, each makes half. By its share, a
+/// heavy one between two light ones would come into the one at the wall in each step.
 fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), part: u32) -> (Vec2, Vec2) {
     let of = |masses: Masses| separate(contact, masses.share_of_a());
     let tried = |push: Vec2| {
@@ -87,7 +87,7 @@ fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), part: u32) -> 
     match (leads_to_blocked(a, by_a), leads_to_blocked(b, by_b)) {
         (true, false) if meeting.moves_b => (tried(by_a), of(Masses::A_FIXED).1),
         (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, tried(by_b)),
-        (true, true) if meeting.moves_a && meeting.moves_b => of(Masses::EQUAL),
+        (true, true) if part > 1 && meeting.moves_a && meeting.moves_b => of(Masses::EQUAL),
         _ => (by_a, by_b),
     }
 }

@@ -128,7 +128,7 @@ fn nothing_passes_a_crate_at_a_wall() {
                 for by in [By::Velocity, By::Place] {
                     let first = WALL - SIDE * masses.len() as i16;
                     let mut row = Row::new(first - 40, (first, 0), &[[hero].as_slice(), masses].concat(), 0);
-                    row.what += &format!(", speed {speed} by {by:?}");
+                    row.what = format!("{}, speed {speed} by {by:?}", row.what);
                     for _ in 0..400 {
                         row.step(&level, by, speed, fx!(0.25));
                         row.deepest();
@@ -149,7 +149,7 @@ fn a_row_on_a_free_floor_moves_without_a_halt() {
                 for (crates, gap) in [(1, 0), (3, 0), (3, 9), (6, 0)] {
                     let masses = [[mass].as_slice(), &[1].repeat(crates)].concat();
                     let mut row = Row::new(20, (40, gap), &masses, 0);
-                    row.what += &format!(", speed {speed}, gravity {gravity}");
+                    row.what = format!("{}, speed {speed}, gravity {gravity}", row.what);
                     let mut halts = 0;
                     while row.left(crates) < fx!(380) {
                         halts += u32::from(row.step(&level, By::Place, speed, gravity) <= 0);

@@ -20,10 +20,8 @@ fn turn(turned: bool, v: Vec2) -> Vec2 {
 /// How far the one at the wall comes in 60 steps: pressed by `pressers` more in a file, with keys
 /// that rise or fall from it. Turned, the walls are a ceiling and a floor.
 fn slides(round: bool, pressers: i32, rising: bool, (turned, side): (bool, i32), gravity: Vec2, v: Vec2) -> Fx {
-    let text = match turned {
-        false => "#...........#\n".repeat(8),
-        true => format!("########\n{}########\n", "........\n".repeat(11)),
-    };
+    let text =
+        if turned { format!("########\n{}########\n", "........\n".repeat(11)) } else { "#...........#\n".repeat(8) };
     let level = TileMap::from_ascii(&text, &KINDS).unwrap();
     let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES>::new(SortSweep::new());
     let key = |at: i32| if rising { at } else { 9 - at } as u32;
