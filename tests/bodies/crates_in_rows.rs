@@ -12,13 +12,19 @@ const SIDE: i16 = 16;
 /// The floor is at y = 48, the wall at x = 400.
 const FLOOR: i16 = 48;
 const WALL: i16 = 400;
+const LEVEL: &str = concat!(
+    "#........................#\n",
+    "#........................#\n",
+    "#........................#\n",
+    "##########################",
+);
 
-fn level(text: &str) -> TileMap<'_> {
-    TileMap::from_ascii(text, &KINDS).unwrap()
+fn level() -> TileMap<'static> {
+    TileMap::from_ascii(LEVEL, &KINDS).unwrap()
 }
 
-fn text() -> String {
-    format!("#{}#\n", ".".repeat(24)).repeat(3) + &"#".repeat(26)
+fn on_floor(x: Fx) -> Aabb {
+    Aabb::from_size(Vec2::new(x, Fx::from(FLOOR - SIDE)), Vec2::from_ints(SIDE, SIDE)).unwrap()
 }
 
 /// How the hero moves.
@@ -38,19 +44,18 @@ struct Row {
 }
 
 impl Row {
-    /// With masses of all of them, from the hero on.
-    fn new(at: i16, (first, gap): (i16, i16), masses: &[u8], friction: u8) -> Self {
+    /// A hero of this place and mass, and crates of these masses from a first place on.
+    fn new((at, hero): (i16, u8), (first, gap): (i16, i16), crates: &[u8], friction: u8) -> Self {
         let surface = Surface::new(Ratio::ZERO, Ratio::percent(friction).unwrap());
         let mut scene = Swept::new(SortSweep::new());
-        let mut all = Vec::new();
-        for (&mass, key) in masses.iter().zip(1_i16..) {
-            let x = if key == 1 { at } else { first + (key - 2) * (SIDE + gap) };
-            let place = Aabb::from_size(Vec2::from_ints(x, FLOOR - SIDE), Vec2::from_ints(SIDE, SIDE)).unwrap();
-            let surface = if key == 1 { Surface::SLICK } else { surface };
-            let body = SceneBody { mass: NonZeroU8::new(mass), surface, ..SceneBody::new(place, key as u32) };
+        let body =
+            |x: i16, mass, key| SceneBody { mass: NonZeroU8::new(mass), ..SceneBody::new(on_floor(x.into()), key) };
+        let mut all = vec![scene.insert(&body(at, hero, 1)).unwrap()];
+        for (&mass, k) in crates.iter().zip(0_i16..) {
+            let body = SceneBody { surface, ..body(first + k * (SIDE + gap), mass, 2 + k as u32) };
             all.push(scene.insert(&body).unwrap());
         }
-        Self { scene, all, what: format!("masses {masses:?}, friction {friction}, gap {gap}") }
+        Self { scene, all, what: format!("hero {hero}, crates {crates:?}, friction {friction}, gap {gap}") }
     }
 
     fn left(&self, at: usize) -> Fx {
@@ -62,8 +67,7 @@ impl Row {
         let (hero, x) = (self.all[0], self.left(0));
         let down = self.scene.body(hero).unwrap().velocity.y;
         if by == By::Place {
-            let to = Vec2::new(x + speed, Fx::from(FLOOR - SIDE));
-            self.scene.place(hero, Aabb::from_size(to, Vec2::from_ints(SIDE, SIDE)).unwrap()).unwrap();
+            self.scene.place(hero, on_floor(x + speed)).unwrap();
         }
         let along = if by == By::Place { Fx::ZERO } else { speed };
         self.scene.set_velocity(hero, Vec2::new(along, down)).unwrap();
@@ -83,16 +87,14 @@ impl Row {
 
 #[test]
 fn a_row_at_a_wall_yields_little_more_than_a_step() {
-    let text = text();
-    let level = level(&text);
+    let level = level();
     for gravity in [fx!(0.05), fx!(0.25), fx!(0.6)] {
         for mass in [1, 20, 255] {
             for speed in [fx!(0.5), fx!(1), fx!(2), fx!(4)] {
                 // At a quarter of a crate per step, rows of eight yield two steps.
                 for crates in if speed < 4 { [1, 2, 3, 5, 8].as_slice() } else { &[1, 2, 3, 5] } {
-                    let masses = [[mass].as_slice(), &[1].repeat(*crates)].concat();
                     let first = WALL - SIDE * *crates as i16;
-                    let mut row = Row::new(first - 40, (first, 0), &masses, 0);
+                    let mut row = Row::new((first - 40, mass), (first, 0), &[1].repeat(*crates), 0);
                     let mut late = Fx::ZERO;
                     for step in 0..400 {
                         row.step(&level, By::Velocity, speed, gravity);
@@ -109,8 +111,7 @@ fn a_row_at_a_wall_yields_little_more_than_a_step() {
 /// A heavy crate between light ones stays between them.
 #[test]
 fn nothing_passes_a_crate_at_a_wall() {
-    let text = text();
-    let level = level(&text);
+    let level = level();
     let rows: [&[u8]; 9] = [
         &[1, 6, 1],
         &[1, 20, 1],
@@ -127,7 +128,7 @@ fn nothing_passes_a_crate_at_a_wall() {
             for speed in [fx!(0.5), fx!(1), fx!(3)] {
                 for by in [By::Velocity, By::Place] {
                     let first = WALL - SIDE * masses.len() as i16;
-                    let mut row = Row::new(first - 40, (first, 0), &[[hero].as_slice(), masses].concat(), 0);
+                    let mut row = Row::new((first - 40, hero), (first, 0), masses, 0);
                     row.what = format!("{}, speed {speed} by {by:?}", row.what);
                     for _ in 0..400 {
                         row.step(&level, by, speed, fx!(0.25));
@@ -141,14 +142,12 @@ fn nothing_passes_a_crate_at_a_wall() {
 
 #[test]
 fn a_row_on_a_free_floor_moves_without_a_halt() {
-    let text = text();
-    let level = level(&text);
+    let level = level();
     for gravity in [fx!(0.1), fx!(0.25), fx!(0.6)] {
         for mass in [1, 10, 255] {
             for speed in [fx!(0.6), fx!(1.5), fx!(4)] {
                 for (crates, gap) in [(1, 0), (3, 0), (3, 9), (6, 0)] {
-                    let masses = [[mass].as_slice(), &[1].repeat(crates)].concat();
-                    let mut row = Row::new(20, (40, gap), &masses, 0);
+                    let mut row = Row::new((20, mass), (40, gap), &[1].repeat(crates), 0);
                     row.what = format!("{}, speed {speed}, gravity {gravity}", row.what);
                     let mut halts = 0;
                     while row.left(crates) < fx!(380) {
@@ -166,8 +165,7 @@ fn a_row_on_a_free_floor_moves_without_a_halt() {
 /// Friction slows a row down, and does not stop it.
 #[test]
 fn a_row_with_friction_moves_on() {
-    let text = text();
-    let level = level(&text);
+    let level = level();
     for (crates, friction, gravity, least) in [
         (1, 100, fx!(0.25), 95),
         (2, 100, fx!(0.25), 95),
@@ -177,7 +175,7 @@ fn a_row_with_friction_moves_on() {
         (3, 20, fx!(0.6), 50),
         (5, 20, fx!(0.25), 65),
     ] {
-        let mut row = Row::new(50, (80, 0), &[[255].as_slice(), &[1].repeat(crates)].concat(), friction);
+        let mut row = Row::new((50, 255), (80, 0), &[1].repeat(crates), friction);
         let way: Vec<Fx> = (0..200).map(|_| row.step(&level, By::Velocity, Fx::ONE, gravity)).collect();
         let late: Fx = way[100..].iter().sum();
         assert!(late > least, "{}: {late} units in 100 steps", row.what);
