@@ -92,7 +92,7 @@ impl Game {
 
         if let Some((enemy, run)) = &mut self.enemy {
             let walked = enemy.step(&level, Input { run: *run, ..Input::default() })?;
-            if walked.wall || enemy.ledge_ahead(&level, *run * 2)? {
+            if walked.wall || enemy.ledge_ahead(&level, enemy.stopping_distance(*run))? {
                 *run = -*run;
             }
             if enemy.body().overlaps(self.hero.body()) {

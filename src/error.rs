@@ -69,8 +69,20 @@ pub enum Quantity {
     EndX,
     /// The vertical coordinate at which a motion or a ray would end.
     EndY,
-    /// A speed or an acceleration of a [`Feel`](crate::Feel) that is negative.
-    Feel,
+    /// [`Feel::fall`](crate::Feel::fall), which must not be negative; so for the six that follow.
+    Fall,
+    /// [`Feel::jump`](crate::Feel::jump).
+    Jump,
+    /// [`Feel::jump_cut`](crate::Feel::jump_cut).
+    JumpCut,
+    /// [`Feel::acceleration`](crate::Feel::acceleration).
+    Acceleration,
+    /// [`Feel::air_acceleration`](crate::Feel::air_acceleration).
+    AirAcceleration,
+    /// [`Feel::wall_jump`](crate::Feel::wall_jump).
+    WallJump,
+    /// [`Feel::wall_slide`](crate::Feel::wall_slide).
+    WallSlide,
 }
 
 /// An input outside the range that keeps arithmetic exact; nothing was changed.
@@ -134,7 +146,13 @@ impl fmt::Display for RangeError {
                     Fx::from_bits(value)
                 );
             }
-            Quantity::Feel => "all but its gravity must not be negative: \"up\" follows from that",
+            Quantity::Fall
+            | Quantity::Jump
+            | Quantity::JumpCut
+            | Quantity::Acceleration
+            | Quantity::AirAcceleration
+            | Quantity::WallJump
+            | Quantity::WallSlide => "only the gravity of a `Feel` may be negative: \"up\" follows from that",
             // The settings of walkers and riders.
             _ => "it must be from 0 to below 4096 units",
         };

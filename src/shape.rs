@@ -206,6 +206,47 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// The box that two boxes have in common; `None` if they do not even touch. If they only touch,
+    /// it has no area.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2};
+    /// let square = |x, side| Aabb::from_size(Vec2::from_ints(x, 0), Vec2::from_ints(side, side));
+    /// assert_eq!(square(0, 4)?.intersection(&square(3, 9)?), Some(Aabb::new(Vec2::from_ints(3, 0), Vec2::from_ints(4, 4))?));
+    /// assert_eq!(square(0, 4)?.intersection(&square(4, 4)?).map(|edge| edge.size()), Some(Vec2::from_ints(0, 4)));
+    /// assert_eq!(square(0, 4)?.intersection(&square(5, 4)?), None);
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    #[must_use]
+    #[doc(alias("overlap area", "clip"))]
+    pub const fn intersection(&self, other: &Self) -> Option<Self> {
+        let common = Self { min: self.min.max(other.min), max: self.max.min(other.max) };
+        let (lo, hi) = (common.lo(), common.hi());
+        if lo.x <= hi.x && lo.y <= hi.y { Some(common) } else { None }
+    }
+
+    /// This box with each side moved out by `by`, or in if it is negative; exact. Use it for the
+    /// reach of a hand, an explosion, or a camera's margin.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Vec2, fx};
+    /// let hero = Aabb::from_size(Vec2::from_ints(8, 4), Vec2::from_ints(10, 12))?;
+    /// let reach = hero.grown(fx!(4))?;
+    /// assert_eq!((reach.min(), reach.size()), (Vec2::from_ints(4, 0), Vec2::from_ints(18, 20)));
+    /// assert_eq!(reach.grown(fx!(-4))?, hero);
+    /// assert!(hero.grown(fx!(-5.5)).is_err()); // nothing would be left
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] if a corner would leave the [domain](crate::num::DOMAIN), or if a side would
+    /// be negative.
+    #[doc(alias("grow", "inflate", "loosened", "expand"))]
+    pub const fn grown(&self, by: Fx) -> Result<Self, RangeError> {
+        let by = Vec2::new(by, by);
+        Self::new(self.min.saturating_sub(by), self.max.saturating_add(by))
+    }
+
     pub(crate) const fn lo(&self) -> Raw {
         Raw::of(self.min)
     }

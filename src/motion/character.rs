@@ -75,6 +75,8 @@ pub(super) struct Memory {
     pub(super) wish: u8,
     /// Frames since it stood; the largest number after a jump.
     pub(super) away: u8,
+    /// Whether gravity last pulled toward smaller y. It decides where "up" is while it is 0.
+    pub(super) flipped: bool,
     /// The side of the last wall, -1 or 1, and how many frames ago it was there.
     pub(super) wall: i8,
     pub(super) wall_age: u8,
@@ -100,6 +102,7 @@ impl<B: Body> Character<B> {
                 jumps: false,
                 wish: 0,
                 away: u8::MAX,
+                flipped: false,
                 wall: 0,
                 wall_age: u8::MAX,
             },
@@ -109,9 +112,9 @@ impl<B: Body> Character<B> {
     /// Puts the character at another position, in the air and at rest. Checks nothing: if the body
     /// is in the solid, the next step returns [`Outcome::Stuck`].
     pub fn place(&mut self, body: B) {
-        let held = self.memory.held;
+        let Memory { held, flipped, .. } = self.memory;
         *self = Self::new(body, self.limits, self.feel);
-        self.memory.held = held;
+        (self.memory.held, self.memory.flipped) = (held, flipped);
     }
 
     /// Moves the character into another [`Room`](crate::world::Room). Its position changes by `by`,
@@ -196,6 +199,20 @@ impl<B: Body> Character<B> {
         &self.body
     }
 
+    /// The [reference position](Body::position) of the body: the minimum corner of a box, the
+    /// centre of a circle.
+    #[must_use]
+    pub fn position(&self) -> Vec2 {
+        self.body.position()
+    }
+
+    /// The limits beyond which it is [out of the level](Outcome::OutOfLevel).
+    /// [`translate`](Self::translate) sets them, by zero if the character stays where it is.
+    #[must_use]
+    pub const fn limits(&self) -> Aabb {
+        self.limits
+    }
+
     /// Moves the character for one frame in a level without moving solids.
     ///
     /// Cost: one [`Walker::walk`].
@@ -209,17 +226,25 @@ impl<B: Body> Character<B> {
     }
 
     pub(super) const fn mover(&self) -> Mover {
-        Mover::platformer(if self.feel.falls_to_larger_y() { Axis::NEG_Y } else { Axis::Y })
+        Mover::platformer(if self.falls_to_larger_y() { Axis::NEG_Y } else { Axis::Y })
+    }
+
+    /// Whether it falls toward larger y, as on a screen.
+    const fn falls_to_larger_y(&self) -> bool {
+        match self.feel.gravity.to_bits() {
+            0 => !self.memory.flipped,
+            pull => pull > 0,
+        }
     }
 
     /// The magnitude of gravity.
     pub(super) const fn pull(&self) -> Fx {
-        if self.feel.falls_to_larger_y() { self.feel.gravity } else { self.feel.gravity.saturating_neg() }
+        if self.falls_to_larger_y() { self.feel.gravity } else { self.feel.gravity.saturating_neg() }
     }
 
     /// A component along y as a speed of falling.
     pub(super) const fn downward(&self, y: Fx) -> Fx {
-        if self.feel.falls_to_larger_y() { y } else { y.saturating_neg() }
+        if self.falls_to_larger_y() { y } else { y.saturating_neg() }
     }
 
     /// The speed at which it falls.
@@ -233,7 +258,7 @@ impl<B: Body> Character<B> {
     }
 
     pub(super) fn walker(&self, drop: bool) -> Result<Walker, RangeError> {
-        self.feel.check()?;
+        self.feel.check_signs()?;
         let Feel { snap, step, slope_speed, .. } = self.feel;
         let walker = Walker::new(self.mover().with_drop_through(drop)).with_slope_speed(slope_speed);
         walker.with_snap(snap)?.with_step(step)
@@ -243,7 +268,7 @@ impl<B: Body> Character<B> {
     pub(super) fn is_out(&self) -> bool {
         let (bounds, lo, hi) = (self.body.bounds(), self.limits.lo(), self.limits.hi());
         let beside = bounds.hi().x < lo.x || bounds.lo().x > hi.x;
-        beside || if self.feel.falls_to_larger_y() { bounds.lo().y > hi.y } else { bounds.hi().y < lo.y }
+        beside || if self.falls_to_larger_y() { bounds.lo().y > hi.y } else { bounds.hi().y < lo.y }
     }
 }
 

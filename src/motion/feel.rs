@@ -1,6 +1,7 @@
 //! The input and the results of a character: the player's buttons, the numbers that decide how it
 //! moves, and what happened in a frame.
 
+use super::walk::checked;
 use super::{Hits, SlopeSpeed};
 use crate::error::{Quantity, RangeError};
 use crate::num::{Axis, Fx};
@@ -97,7 +98,8 @@ pub enum OnLeave {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Feel {
     /// The velocity gained per frame. A positive value pulls toward larger y, as on a screen. A
-    /// negative one pulls toward smaller y, and "up" follows.
+    /// negative one pulls toward smaller y, and "up" follows. While it is 0, as on a ladder, "up"
+    /// stays where it was.
     pub gravity: Fx,
     /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid,
     /// with [`OnLeave::Keep`].
@@ -171,16 +173,59 @@ impl Feel {
         on_leave: OnLeave::Keep,
     };
 
-    /// Refuses speeds with a sign, as other engines have them: the hero would jump into the ground.
-    pub(super) fn check(&self) -> Result<(), RangeError> {
-        let Self { fall, jump, jump_cut, acceleration, air_acceleration, wall_jump, wall_slide, .. } = *self;
-        let (off, along) = (wall_jump.unwrap_or(Fx::ZERO), wall_slide.unwrap_or(Fx::ZERO));
-        let least = fall.min(jump).min(jump_cut).min(acceleration).min(air_acceleration).min(off).min(along);
-        if least < 0 { Err(RangeError { what: Quantity::Feel, value: least.to_bits() }) } else { Ok(()) }
+    /// Checks the numbers, as each [`step`](crate::Character::step) does. In a constant, it finds
+    /// the fault when you compile:
+    ///
+    /// ```
+    /// use tilesat::{Feel, fx, world::Quantity};
+    /// const FROG: Feel = Feel { jump: fx!(6), ..Feel::DEFAULT };
+    /// const _: () = assert!(FROG.check().is_ok());
+    ///
+    /// let upward = Feel { jump: fx!(-6), ..Feel::DEFAULT };
+    /// let error = upward.check().unwrap_err();
+    /// assert_eq!(error.what, Quantity::Jump);
+    /// assert!(error.to_string().starts_with("Jump is out of range: -6 (-393216 raw); only the gravity"));
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] for the first number that is negative, though only
+    /// [`gravity`](Self::gravity) may be. Also for a snap or a step of 4096 units and more.
+    pub const fn check(&self) -> Result<(), RangeError> {
+        if let Err(e) = self.check_signs() {
+            return Err(e);
+        }
+        if let Err(e) = checked(self.snap, Quantity::Snap) {
+            return Err(e);
+        }
+        match checked(self.step, Quantity::StepHeight) {
+            Ok(_) => Ok(()),
+            Err(e) => Err(e),
+        }
     }
 
-    pub(super) const fn falls_to_larger_y(&self) -> bool {
-        self.gravity.to_bits() >= 0
+    /// Refuses speeds with a sign, as other engines have them: the hero would jump into the ground.
+    pub(super) const fn check_signs(&self) -> Result<(), RangeError> {
+        let Self { fall, jump, jump_cut, acceleration, air_acceleration, wall_jump, wall_slide, .. } = *self;
+        let off = if let Some(speed) = wall_jump { speed.to_bits() } else { 0 };
+        let along = if let Some(speed) = wall_slide { speed.to_bits() } else { 0 };
+        let up = fall.to_bits() | jump.to_bits() | jump_cut.to_bits();
+        // One test of all signs: a step checks them in each frame.
+        if up | acceleration.to_bits() | air_acceleration.to_bits() | off | along >= 0 {
+            return Ok(());
+        }
+        use Quantity::{Acceleration, AirAcceleration, Fall, Jump, JumpCut, WallJump, WallSlide};
+        let (what, value) = match (fall.to_bits(), jump.to_bits(), jump_cut.to_bits(), acceleration.to_bits()) {
+            (value @ ..0, ..) => (Fall, value),
+            (_, value @ ..0, ..) => (Jump, value),
+            (_, _, value @ ..0, _) => (JumpCut, value),
+            (_, _, _, value @ ..0) => (Acceleration, value),
+            _ => match (air_acceleration.to_bits(), off) {
+                (value @ ..0, _) => (AirAcceleration, value),
+                (_, value @ ..0) => (WallJump, value),
+                _ => (WallSlide, along),
+            },
+        };
+        Err(RangeError { what, value })
     }
 
     /// The frames of [`coyote`](Self::coyote). Counters of frames end at the largest number, which

@@ -4,7 +4,7 @@ use super::character::refused;
 use super::feel::{Input, Outcome};
 use super::{Body, Character, MoveError, SlopeSpeed, Support, Walked, Walker};
 use crate::error::RangeError;
-use crate::num::{Fx, Raw, Vec2};
+use crate::num::{Fx, Raw, Vec2, mul_div};
 use crate::shape::Aabb;
 use crate::world::World;
 
@@ -55,15 +55,47 @@ impl<B: Body> Character<B> {
         }
     }
 
+    /// How far it still moves on a floor if it runs at [`Input::run`] for one more frame, and then
+    /// brakes or turns. [`ledge_ahead`](Self::ledge_ahead) takes it. It has the sign of `run`.
+    ///
+    /// If the next frame brings it to a speed of `v` in that direction, that is `v + v * v / (2 *
+    /// a)` with the [`Feel::acceleration`](crate::Feel::acceleration) `a`, rounded down. The exact
+    /// distance is shorter by half of `v`. Without an acceleration it never stops: the result is
+    /// then [`Fx::MAX`], or `Fx::MIN + 1` to the left, unless it stands.
+    ///
+    /// ```
+    /// use tilesat::{Aabb, Character, Feel, Vec2, fx};
+    /// let body = Aabb::new(Vec2::ZERO, Vec2::from_ints(10, 14))?;
+    /// let mut enemy = Character::new(body, body, Feel { acceleration: fx!(0.5), ..Feel::DEFAULT });
+    /// assert_eq!(enemy.stopping_distance(fx!(4)), fx!(0.75)); // it stands: 0.5, and 0.25 to brake
+    /// enemy.velocity.x = fx!(-4);
+    /// assert_eq!(enemy.stopping_distance(fx!(-4)), fx!(-20)); // 4, and 16 to brake
+    /// assert_eq!(enemy.stopping_distance(fx!(4)), fx!(0.75)); // it has turned before
+    /// # Ok::<(), tilesat::RangeError>(())
+    /// ```
+    #[must_use]
+    #[doc(alias = "braking distance")]
+    pub const fn stopping_distance(&self, run: Fx) -> Fx {
+        let (run, v, a) = (run.to_bits(), self.velocity.x.to_bits(), self.feel.acceleration.to_bits());
+        let a = if a > 0 { a as u32 } else { 0 };
+        let toward = if run < 0 { v.saturating_neg() } else { v };
+        let faster = (if toward > 0 { toward as u32 } else { 0 }).saturating_add(a);
+        let speed = if faster < run.unsigned_abs() { faster } else { run.unsigned_abs() };
+        // Without a speed it is 0, also without an acceleration.
+        let brakes = if speed == 0 { 0 } else { mul_div(speed, speed, a.saturating_mul(2)) };
+        let far = speed.saturating_add(brakes);
+        let far = if far > i32::MAX as u32 { i32::MAX } else { far as i32 };
+        Fx::from_bits(if run < 0 { far.wrapping_neg() } else { far })
+    }
+
     /// Returns whether the floor ends within `far` plus the width of the body. The sign of `far` is
     /// the direction. If the answer is `false`, the body's front can move on by `far` and stays on
     /// the floor.
     ///
     /// **How far.** A patrol that turns in the next frame still moves by that frame's motion and by
-    /// its braking distance. If its speed is then `v`, pass `v + v * v / (2 * a)` with the
-    /// [`Feel::acceleration`](crate::Feel::acceleration) `a`, and the sign of its direction. Then
-    /// its front never leaves the floor. If `a` is at least `v`, it stops in one frame, and `v` is
-    /// enough. The chapter on walkers in the guide has the program, also for short platforms.
+    /// its braking distance. Pass its [stopping distance](Self::stopping_distance): then its front
+    /// never leaves the floor. The chapter on walkers in the guide has the program, also for short
+    /// platforms.
     ///
     /// Slopes, steps and ground that falls by at most [`Feel::snap`](crate::Feel::snap) are not
     /// ledges, and neither are gaps that are narrower than the body. A gap as wide as a box is a
@@ -87,11 +119,10 @@ impl<B: Body> Character<B> {
     /// let level = TileMap::from_ascii("........\n.=====..", &KINDS)?; // from x = 16 to 96
     /// let body = Aabb::new(Vec2::from_ints(30, 2), Vec2::from_ints(40, 16))?;
     /// let mut enemy = Character::new(body, level.bounds(), Feel::DEFAULT);
-    /// // A unit for a frame, and at most a unit to brake.
     /// let (mut run, mut turns) = (fx!(1), 0);
     /// for _ in 0..400 {
     ///     let step = enemy.step(&level, Input::running(run))?;
-    ///     if step.wall || enemy.ledge_ahead(&level, run * 2)? {
+    ///     if step.wall || enemy.ledge_ahead(&level, enemy.stopping_distance(run))? {
     ///         (run, turns) = (-run, turns + 1);
     ///     }
     ///     assert!(enemy.body().min().x >= 16 && enemy.body().max().x <= 96);

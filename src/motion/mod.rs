@@ -154,8 +154,8 @@ pub mod response {
     pub use acceleration::{Acceleration, Carry};
     pub(in crate::motion) use bounce::{Bounce, ReplyFn};
     pub use impact::{Masses, Split, bounce, exchange, respond, separate, slide, split};
-    pub(in crate::motion) use law::Law;
     pub use law::{ByFlags, ByHit, Smooth};
+    pub(in crate::motion) use law::{Law, Plain};
     pub use surface::{Energy, Speed, Surface};
     pub use table::{Response, Responses};
     pub use verlet::{Link, Particle, Quiet, RelaxError, Stick, relax};
@@ -197,6 +197,7 @@ mod walk {
     pub(super) use ground::CONTACT;
     pub use ground::Support;
     pub(super) use stride::Footing;
+    pub(super) use walker::checked;
     pub use walker::{SlopeSpeed, Walker};
 }
 mod ways;

@@ -3,7 +3,7 @@
 use super::body::{Body, is_by_lines};
 use super::order::First;
 use super::plane::may_be_askew;
-use super::response::{Bounce, ByFlags, ByHit, Law, Response, Responses, Smooth, Surface};
+use super::response::{Bounce, ByFlags, ByHit, Law, Plain, Response, Responses, Smooth, Surface};
 use super::run::{Run, check_inside, is_free};
 use super::search::{Around, CELLS, check_cells};
 use super::slope_limit::SlopeLimit;
@@ -72,8 +72,11 @@ impl Mover {
     }
 }
 
-impl<S: Law> Mover<S> {
+impl<S: Plain> Mover<S> {
     /// Adds friction and restitution. A mover without a surface links no code for them.
+    ///
+    /// Call this before [`with_responses`](Self::with_responses) or
+    /// [`with_answers`](Self::with_answers): the mover that they return has no such method.
     ///
     /// Restitution acts only with [`Response::Bounce`], and a new mover slides: choose that
     /// response too. Friction acts with every response but [`Response::Touch`].
@@ -87,16 +90,28 @@ impl<S: Law> Mover<S> {
     /// const MOVER: Mover<Surface> = Mover::platformer(Axis::NEG_Y).with_response(Response::Bounce).with_surface(CRATE);
     /// # let _ = MOVER;
     /// ```
+    ///
+    /// ```compile_fail
+    /// use tilesat::{Mover, Surface, motion::Responses};
+    /// let _ = Mover::new().with_responses(Responses::NONE).with_surface(Surface::SLICK); // the wrong order
+    /// ```
     #[must_use]
     pub const fn with_surface(self, surface: Surface) -> Mover<Surface> {
+        self.only_with(surface)
+    }
+}
+
+impl<S: Law> Mover<S> {
+    /// With a surface in place of the surface and all responses by hit.
+    pub(crate) const fn only_with(self, surface: Surface) -> Mover<Surface> {
         let Self { up, response, bounce, limit, drop_through, inside, .. } = self;
         Mover { up, response, bounce, limit, drop_through, inside, surface }
     }
 
     /// Sets the responses to surfaces with flags.
     ///
-    /// A mover without such a table links no code for it. Call this after
-    /// [`with_surface`](Self::with_surface), whose mover has no table.
+    /// A mover without such a table links no code for it. If the mover has a surface, call
+    /// [`with_surface`](Self::with_surface) first.
     ///
     /// ```
     /// use tilesat::{Aabb, Mover, MoveError, Response, TileKind, TileKinds, TileMap, Vec2, motion::Responses};
@@ -122,7 +137,8 @@ impl<S: Law> Mover<S> {
     /// means the mover's own response. A mover without such a function links no code for it.
     ///
     /// It must be a pure function of the hit. To learn what a body passed, see
-    /// [`move_along`](Self::move_along). Call this after [`with_surface`](Self::with_surface).
+    /// [`move_along`](Self::move_along). If the mover has a surface, call
+    /// [`with_surface`](Self::with_surface) first.
     ///
     /// ```
     /// use tilesat::motion::{ByHit, Hit};

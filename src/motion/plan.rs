@@ -32,6 +32,9 @@ struct Speeds {
 impl<B: Body> Character<B> {
     /// Updates the timers, and returns the velocity of this frame after all rules.
     pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
+        if self.feel.gravity != 0 {
+            self.memory.flipped = self.feel.gravity < 0;
+        }
         let stands = self.floor.is_some();
         self.count_frames(input.jump, stands);
         let keeps = stands || self.feel.on_leave == OnLeave::Keep;

@@ -1,6 +1,7 @@
 //! The public numbers against 128-bit arithmetic of the host, and the limits of shapes.
 
 use tilesat::num::DOMAIN;
+use tilesat::prelude::*;
 use tilesat::{Aabb, Axis, Circle, Fx, Mover, Quantity, RangeError, Segment, Toi, Vec2, fx};
 use tilesat_judge::Random;
 
@@ -168,6 +169,35 @@ fn shapes_end_at_the_domain() {
     assert_eq!(Aabb::from_centre(at(0, 0), at(most, most)).map(|b| b.size()), Ok(at(2 * most, 2 * most)));
     let odd = Aabb::new(at(-3, -1), at(0, 2)).expect("inside");
     assert_eq!((odd.centre(), odd.union(&b)), (at(-2, 0), Aabb::new(at(-3, -1), at(13, 24)).expect("inside")));
+}
+
+/// All pairs of boxes on a small lattice, against the coordinates that are in both.
+#[test]
+fn boxes_have_in_common_what_both_contain() {
+    let at = Vec2::from_raw;
+    let boxes: Vec<Aabb> =
+        (0..256).filter_map(|n: i32| Aabb::new(at(n & 3, n >> 2 & 3), at(n >> 4 & 3, n >> 6)).ok()).collect();
+    assert_eq!(boxes.len(), 100);
+    for a in &boxes {
+        for b in &boxes {
+            let common = a.intersection(b);
+            assert_eq!(common.is_some(), a.touches(b), "{a:?} {b:?}");
+            for n in 0..16 {
+                let p = at(n & 3, n >> 2);
+                let inside = |b: &Aabb| b.min().max(p) == p && b.max().min(p) == p;
+                assert_eq!(common.is_some_and(|common| inside(&common)), inside(a) && inside(b), "{a:?} {b:?} {p}");
+            }
+        }
+        for by in -2..3 {
+            let (lo, hi) = (a.min() - at(by, by), a.max() + at(by, by));
+            assert_eq!(a.grown(Fx::from_bits(by)), Aabb::new(lo, hi), "{a:?} {by}");
+        }
+    }
+    let (most, all) = (DOMAIN - 1, Aabb::new(at(1 - DOMAIN, 1 - DOMAIN), at(DOMAIN - 1, DOMAIN - 1)).expect("inside"));
+    assert_eq!(boxes[0].grown(Fx::from_bits(most)), Ok(all));
+    for by in [Fx::MIN, Fx::MAX, Fx::DELTA] {
+        assert!(all.grown(by).is_err(), "{by}");
+    }
 }
 
 /// Products and quotients of 16.16 in 128 bits, toward zero.

@@ -363,17 +363,21 @@ fn wrong_input_is_refused_and_changes_nothing() {
     assert_eq!(bad(with(Feel { snap: fx!(-1), ..base }), NOTHING), Some(Quantity::Snap));
     assert_eq!(bad(with(Feel { step: Fx::MAX, ..base }), NOTHING), Some(Quantity::StepHeight));
     let signed = [
-        Feel { fall: fx!(-6), ..base },
-        Feel { jump: fx!(-4.5), ..base },
-        Feel { jump_cut: -Fx::DELTA, ..base },
-        Feel { acceleration: fx!(-1), ..base },
-        Feel { air_acceleration: fx!(-1), ..base },
-        Feel { wall_jump: Some(fx!(-2)), ..base },
-        Feel { wall_slide: Some(fx!(-2)), ..base },
+        (Feel { fall: fx!(-6), ..base }, Quantity::Fall, fx!(-6)),
+        (Feel { jump: fx!(-4.5), ..base }, Quantity::Jump, fx!(-4.5)),
+        (Feel { jump_cut: -Fx::DELTA, ..base }, Quantity::JumpCut, -Fx::DELTA),
+        (Feel { acceleration: fx!(-1), ..base }, Quantity::Acceleration, fx!(-1)),
+        (Feel { air_acceleration: fx!(-1), ..base }, Quantity::AirAcceleration, fx!(-1)),
+        (Feel { wall_jump: Some(fx!(-2)), ..base }, Quantity::WallJump, fx!(-2)),
+        (Feel { wall_slide: Some(fx!(-2)), ..base }, Quantity::WallSlide, fx!(-2)),
     ];
-    for feel in signed {
-        assert_eq!(bad(with(feel), NOTHING), Some(Quantity::Feel), "{feel:?}");
+    for (feel, what, value) in signed {
+        assert_eq!(bad(with(feel), NOTHING), Some(what), "{feel:?}");
+        assert_eq!(feel.check(), Err(RangeError { what, value: value.to_bits() }));
     }
+    assert_eq!(base.check(), Ok(()));
+    assert_eq!(Feel { snap: fx!(-1), ..base }.check().map_err(|e| e.what), Err(Quantity::Snap));
+    assert_eq!(Feel { step: Fx::MAX, ..base }.check().map_err(|e| e.what), Err(Quantity::StepHeight));
     assert_eq!(bad(with(Feel { gravity: fx!(-0.25), ..base }), NOTHING), None);
     for gravity in [Fx::MIN, Fx::MAX, Fx::ZERO, Fx::DELTA] {
         for all in [Fx::MIN, Fx::MAX, fx!(-1)] {

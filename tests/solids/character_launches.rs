@@ -53,6 +53,36 @@ fn a_button_changes_no_spring() {
     assert_eq!(flight(hero, |frame| frame < 3), (flight(hero, |_| false).0, false));
 }
 
+/// Without gravity, as on a ladder, "up" stays where it was: a hero that stands on the ceiling
+/// jumps off it, and falls back to it.
+#[test]
+fn up_stays_without_gravity() {
+    let level = TileMap::from_ascii("####\n....\n....\n....\n####\n", &KINDS).unwrap(); // free from y = 16 to 64
+    for (gravity, y, away) in [(fx!(-0.25), 16, 1), (fx!(0.25), 50, -1)] {
+        let mut hero = Character::new(boxed(20, y, 10, 14), limits(), Feel { gravity, ..Feel::DEFAULT });
+        for _ in 0..3 {
+            let _ = hero.step(&level, NOTHING).unwrap();
+        }
+        assert!(hero.on_floor());
+        let from = hero.position().y;
+        hero.feel.gravity = fx!(0);
+        for frame in 1..4 {
+            let step = hero.step(&level, JUMP).unwrap();
+            assert_eq!((step.jumped, hero.position().y - from), (frame == 1, fx!(4.5) * away * frame));
+        }
+        let mut other = hero;
+        other.place(boxed(20, y, 10, 14));
+        for hero in [&mut hero, &mut other] {
+            hero.feel.gravity = fx!(0);
+            hero.velocity.y = fx!(-1) * away;
+            for _ in 0..60 {
+                let _ = hero.step(&level, NOTHING).unwrap();
+            }
+            assert!(hero.on_floor() && hero.position().y == from);
+        }
+    }
+}
+
 #[test]
 fn a_ladder_in_a_jump_is_climbed_at_its_speed() {
     let mut hero = standing(Feel::DEFAULT);

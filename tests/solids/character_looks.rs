@@ -118,8 +118,7 @@ fn a_patrol_turns_at_a_pit_as_wide_as_itself() {
                     for _ in 0..(way / speed).to_num::<i32>() {
                         let step = enemy.step(&level, Input { run, ..NOTHING }).unwrap();
                         assert!(enemy.on_floor(), "{width} {speed} {start} {}", enemy.body().min().x);
-                        let next = ((enemy.velocity.x * run.signum()).max(fx!(0)) + fx!(0.5)).min(speed);
-                        let ledge = enemy.ledge_ahead(&level, (next + next * next) * run.signum()).unwrap();
+                        let ledge = enemy.ledge_ahead(&level, enemy.stopping_distance(run)).unwrap();
                         assert!(!(ledge && crosses), "{width} {speed} {start} {}", enemy.body().min().x);
                         walls[usize::from(run > 0)] |= step.wall;
                         run = if step.wall || ledge { -run } else { run };
@@ -188,9 +187,7 @@ fn a_patrol_brakes_before_the_ledge() {
         let (mut way, mut turns, mut ends) = (1, 0, (fx!(999), fx!(0)));
         for _ in 0..3000 {
             let _ = enemy.step(&level, Input { run: speed * way, ..NOTHING }).unwrap();
-            let next = ((enemy.velocity.x * way).max(fx!(0)) + acceleration).min(speed);
-            let look = next + next * next / (acceleration * 2);
-            if enemy.ledge_ahead(&level, look * way).unwrap() {
+            if enemy.ledge_ahead(&level, enemy.stopping_distance(speed * way)).unwrap() {
                 (way, turns) = (-way, turns + 1);
             }
             ends = (ends.0.min(enemy.body().min().x), ends.1.max(enemy.body().max().x));
@@ -201,6 +198,52 @@ fn a_patrol_brakes_before_the_ledge() {
             turns > 1 && ends.1 + near >= end && ends.0 <= near + fx!(16),
             "{speed} {acceleration} {ends:?} {turns}"
         );
+    }
+}
+
+/// The stopping distance is what a patrol still moves, plus half of its speed and roundings.
+#[test]
+fn a_patrol_stops_within_its_stopping_distance() {
+    let text = ".".repeat(60) + "\n" + &"=".repeat(60) + "\n";
+    let level = TileMap::from_ascii(&text, &KINDS).unwrap();
+    let mut random = Random::new(22);
+    for n in 0..300 {
+        let mut number = |from, to| Fx::from_bits(random.within(from, to) as i32);
+        let acceleration = number(1 << 12, 2 << 16);
+        let run = number(-8 << 16, 8 << 16);
+        let mut enemy = Character::new(boxed(480, 2, 10, 14), limits(), Feel { acceleration, ..Feel::DEFAULT });
+        let _ = enemy.step(&level, NOTHING).unwrap();
+        enemy.velocity.x = number(-8 << 16, 8 << 16);
+        let from = enemy.position().x;
+        let stops = enemy.stopping_distance(run) * run.signum();
+        let before = enemy.velocity.x;
+        let mut far = fx!(0);
+        let _ = enemy.step(&level, Input::running(run)).unwrap();
+        let speed = enemy.velocity.x * run.signum();
+        loop {
+            far = far.max((enemy.position().x - from) * run.signum());
+            if enemy.velocity.x * run.signum() <= 0 {
+                break;
+            }
+            let _ = enemy.step(&level, Input::running(-run)).unwrap();
+        }
+        assert!(enemy.on_floor() && stops >= 0);
+        // Faster than it runs, or backward, it does not reach the speed for which the distance is.
+        if before * run.signum() >= 0 && before.abs() <= run.abs() {
+            let more = speed.max(fx!(0)) / 2 + acceleration + fx!(0.01);
+            assert!(far <= stops && stops <= far + more, "{n} {run} {before} {acceleration}: {far} {stops}");
+        }
+    }
+    let mut sled = Character::new(boxed(80, 2, 10, 14), limits(), Feel { acceleration: fx!(0), ..Feel::DEFAULT });
+    assert_eq!(sled.stopping_distance(fx!(2)), 0);
+    sled.velocity.x = fx!(1);
+    assert_eq!(sled.stopping_distance(fx!(2)), Fx::MAX);
+    for run in [Fx::MIN, Fx::MAX] {
+        for velocity in [Fx::MIN, Fx::MAX] {
+            (sled.velocity.x, sled.feel.acceleration) = (velocity, Fx::MAX);
+            let toward = (velocity < 0) == (run < 0);
+            assert_eq!(sled.stopping_distance(run).signum(), run.signum(), "{toward}");
+        }
     }
 }
 

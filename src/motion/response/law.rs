@@ -24,6 +24,15 @@ pub trait Law: Sealed + Copy {
     }
 }
 
+/// A surface without responses by hit: [`Smooth`] or a [`Surface`].
+///
+/// Only a mover that has one of them takes another
+/// [`with_surface`](crate::Mover::with_surface). A table or function of responses would be lost.
+pub trait Plain: Law {}
+
+impl Plain for Smooth {}
+impl Plain for Surface {}
+
 /// No friction, and bounces that lose only roundings: the default of a
 /// [`Mover`](crate::motion::Mover).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -139,7 +139,7 @@ impl Walker {
     }
 }
 
-pub(super) const fn checked(length: Fx, what: Quantity) -> Result<i32, RangeError> {
+pub(in crate::motion) const fn checked(length: Fx, what: Quantity) -> Result<i32, RangeError> {
     let value = length.to_bits();
     if 0 <= value && value < MOTION { Ok(value) } else { Err(RangeError { what, value }) }
 }

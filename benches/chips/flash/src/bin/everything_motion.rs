@@ -95,7 +95,9 @@ fn movers() {
         |w: &Walked<Aabb>| w.on_floor();
         |b: Aabb, limits: Aabb, feel: Feel| Character::new(b, limits, feel);
         |c: &mut Character, b: Aabb| c.place(b);
-        |c: &Character| (c.body(), c.floor(), c.on_floor(), c.ridden(), c.wall());
+        |c: &Character| (c.body(), c.position(), c.limits(), c.floor(), c.on_floor(), c.ridden(), c.wall());
+        |c: &Character, run: Fx| c.stopping_distance(run);
+        |feel: &Feel| feel.check();
         |hit: Hit| Support::from(hit);
         |hit: &Hit, floor: &Support| (hit.solid(), floor.solid());
         |m: &Moved<Aabb>| m.position();

@@ -44,6 +44,8 @@ fn makers() {
         |a: Vec2, b: Vec2| Aabb::from_centre(a, b);
         |b: &Aabb| (b.min(), b.max(), b.size(), b.centre());
         |a: &Aabb, b: &Aabb| a.union(b);
+        |a: &Aabb, b: &Aabb| a.intersection(b);
+        |a: &Aabb, by: Fx| a.grown(by);
         |c: Vec2, r: Fx| Circle::new(c, r);
         |c: &Circle| (c.centre(), c.radius());
         |a: Vec2, b: Vec2| Segment::new(a, b);
