@@ -121,37 +121,15 @@ impl<S: Law> Mover<S> {
         } else {
             run.shut.clear();
         }
-        let passes = run.pass_one_way || self.passes_one_way();
-        let first = hit.is_some() && core::mem::take(&mut run.is_first);
-        let mut of_hit = None;
-        let mut ways = Ways::none();
-        if let Some((entry, _)) = hit {
-            run.came |= way(made) > NEAR;
-            // The hit is passed on too: if the body had to stay back from it, it is not near.
+        run.came |= hit.is_some() && way(made) > NEAR;
+        // The hit is passed on too: if the body had to stay back from it, it is not near.
+        let of_hit = hit.map(|(entry, _)| {
             let bend = if entry.step.is_none() { Bend::Flat } else { Bend::Convex };
-            of_hit = Some(Plane { normal: entry.normal, bend });
-        }
-        let keeps = first || hit.is_none();
-        let mut kept = keeps || run.may_keep::<W>(made);
-        run.end_hop::<W>(hit.filter(|_| kept).map(|(entry, _)| entry.normal));
-        let alone = loop {
-            if !kept {
-                run.before = run.v;
-            }
-            let alone = ways.read::<W, B>(world, &run.moved.body, (run.before, run.rest), of_hit, passes);
-            kept = kept && (keeps || run.along.as_ref().is_some_and(|plane| ways.keep::<B>(plane)));
-            if kept || run.before == run.v {
-                break alone;
-            }
-        };
-        if let (true, Some((entry, feature))) = (first || !kept, hit) {
-            let came = came::<W, B>(&run.moved.body, run.before, made, entry, feature);
-            run.flew = came != Came::Lay;
-            run.hopped = (first && came == Came::Hopped).then_some(run.before);
-        }
-        if alone {
-            ways.free();
-        }
+            Plane { normal: entry.normal, bend }
+        });
+        let passes = run.pass_one_way || self.passes_one_way();
+        let mut ways = Ways::none();
+        run.read_ways(world, &mut ways, (made, passes), hit.zip(of_hit.as_ref()));
         // If a corner meets the very end of a face, the ways past that face are allowed as well.
         let of_face = of_hit.filter(|_| !(B::ANGULAR && hit.is_some_and(|(entry, _)| entry.at_end)));
         let normal = of_face.map_or(Axis::new(0, 0), |plane| plane.normal);
@@ -163,13 +141,19 @@ impl<S: Law> Mover<S> {
             return;
         }
         ways.settle_all(world, &run.moved.body, passes);
+        self.end_bound(world, run, &ways, hit.map(|_| normal));
+    }
+
+    /// Ends a motion whose ways are all bound: it creeps on, continues in the next call, or stops.
+    #[inline(always)]
+    fn end_bound<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, ways: &Ways, hit: Option<Axis>) {
         // One look is reserved for the surface that binds it.
         let looks = run.moved.work.iterations;
-        if looks + 1 < Mover::ITERATIONS && run.creep_along::<W>(&ways) {
+        if looks + 1 < Mover::ITERATIONS && run.creep_along::<W>(ways) {
             return;
         }
         // A body that advances with each call continues in the next one.
-        if run.came && looks >= Mover::ITERATIONS && hit.is_some() {
+        if let Some(normal) = hit.filter(|_| run.came && looks >= Mover::ITERATIONS) {
             let mut creeps = ways.iter().filter(|way| way.along.is_some() && way.can_creep());
             let v = creeps.find(|way| into(way.v, normal) >= 0).map_or(Raw::ZERO, |way| way.v);
             (run.motion, run.v) = (run.turned(v), v);
@@ -181,7 +165,7 @@ impl<S: Law> Mover<S> {
         }
         run.turn(Raw::ZERO);
         if looks < Mover::ITERATIONS {
-            self.report_binding(world, run, &ways);
+            self.report_binding(world, run, ways);
         }
     }
 
@@ -265,6 +249,41 @@ fn hold(u: Raw, n: Axis, m: Axis) -> bool {
 }
 
 impl<B: Body> Run<'_, B> {
+    /// Reads the ways at the current position. They project the velocity from before the surfaces
+    /// that the body still touches. If it has left those, they project what is left of it.
+    #[inline(always)]
+    fn read_ways<W: World>(
+        &mut self,
+        world: &W,
+        ways: &mut Ways,
+        (made, passes): (Raw, bool),
+        hit: Option<((&Entry, &Feature), &Plane)>,
+    ) {
+        let of_hit = hit.map(|(_, plane)| *plane);
+        let first = hit.is_some() && core::mem::take(&mut self.is_first);
+        let is_new = first || hit.is_none();
+        let mut kept = is_new || self.may_keep::<W>(made);
+        self.end_hop::<W>(of_hit.filter(|_| kept).map(|plane| plane.normal));
+        let alone = loop {
+            if !kept {
+                self.before = self.v;
+            }
+            let alone = ways.read::<W, B>(world, &self.moved.body, (self.before, self.rest), of_hit, passes);
+            kept = kept && (is_new || self.along.as_ref().is_some_and(|plane| ways.keep::<B>(plane)));
+            if kept || self.before == self.v {
+                break alone;
+            }
+        };
+        if let (true, Some(((entry, feature), _))) = (first || !kept, hit) {
+            let came = came::<W, B>(&self.moved.body, self.before, made, entry, feature);
+            self.flew = came != Came::Lay;
+            self.hopped = (first && came == Came::Hopped).then_some(self.before);
+        }
+        if alone {
+            ways.free();
+        }
+    }
+
     /// After a hop, at the next hit: `normal` is that of the hit, if the body still touches the
     /// surface from which it hopped. If both together hold the velocity of the call, the body meets
     /// both with it, as a body does that lay on the first. Otherwise each call would throw it up

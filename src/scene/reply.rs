@@ -3,7 +3,11 @@
 use crate::broad::Pair;
 use crate::world::sealed::Sealed;
 
-/// How two bodies respond when they meet. The names are those of bump.lua.
+/// How two bodies respond when they meet.
+///
+/// `Cross`, `Slide`, `Touch` and `Bounce` are named after the responses of bump.lua. A
+/// [`SceneEvent::Touch`](super::SceneEvent::Touch) or [`Meet`](super::SceneEvent::Meet) says that
+/// two bodies met, and nothing about their reply.
 ///
 /// A reply applies to a pair, so it can depend on both bodies. A bullet crosses friends, and a
 /// ghost ignores crates. A ball bounces off one kind of body and sticks to another. In piles, a
