@@ -2,7 +2,7 @@
 
 use super::Shape;
 use super::blocked_sides::{blocked_sides, still_blocked};
-use super::body_way::{BodyWay, Drift};
+use super::body_path::{BodyPath, Drift};
 use super::kernel::BodyShape;
 use crate::broad::{Handle, Keyed};
 use crate::filter::{Filter, LayerMask};
@@ -178,7 +178,7 @@ pub(super) struct Slot<S> {
     /// The [sides](super::blocked_sides) to which it was last pushed without effect.
     pub(super) blocked: u8,
     pub(super) tally: Tally,
-    pub(super) way: BodyWay,
+    pub(super) path: BodyPath,
 }
 
 /// The values that a step collects for a body before anything moves.
@@ -226,7 +226,7 @@ impl<S: BodyShape> Slot<S> {
         ground: 0,
         blocked: 0,
         tally: Tally { under: 0, ..Tally::of(0) },
-        way: BodyWay::BLANK,
+        path: BodyPath::BLANK,
     };
 
     pub(super) fn of(body: &SceneBody<S>, handle: Handle) -> Self {
@@ -242,7 +242,7 @@ impl<S: BodyShape> Slot<S> {
             ground: NOBODY,
             blocked: 0,
             tally: Tally::of(0),
-            way: BodyWay::REST,
+            path: BodyPath::REST,
         }
     }
 

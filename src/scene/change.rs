@@ -1,7 +1,7 @@
 //! The changes that a game makes between steps, and the bodies that these wake.
 
 use super::body::{Mode, Slot, Tally};
-use super::body_way::size;
+use super::body_path::size;
 use super::kernel::BodyShape;
 use super::meeting_time::around;
 use super::memory::{Remembered, forget, keep};
@@ -193,8 +193,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// Cost: a region query.
     pub fn wake_region(&mut self, region: &Aabb) {
         // Remembered motions that led there may be those of bodies that are elsewhere now.
-        if let Some(ways) = self.memory.get_mut(N..) {
-            ways.fill(Remembered::Empty);
+        if let Some(paths) = self.memory.get_mut(N..) {
+            paths.fill(Remembered::Empty);
         }
         self.wake_near(region);
     }
@@ -235,8 +235,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let from = self.count;
         add_to_awake(&mut self.slots, &mut self.awake, &mut self.count, handle);
         unsettle(&mut self.slots, &mut self.memory, handle);
-        if let Some(ways) = self.memory.get_mut(N..) {
-            forget(ways, handle.slot());
+        if let Some(paths) = self.memory.get_mut(N..) {
+            forget(paths, handle.slot());
         }
         if known {
             self.mark_woken(from);

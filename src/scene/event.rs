@@ -20,7 +20,7 @@ pub enum SceneEvent<'a> {
         /// How they overlap, from `a` to `b`; `None` if they only touch.
         contact: Option<&'a Contact>,
     },
-    /// Two bodies, at most one of them a sensor, ran into each other on their way. One of them is
+    /// Two bodies, at most one of them a sensor, ran into each other on their paths. One is
     /// [fast](super#fast-bodies).
     Meet {
         /// The two bodies; `a` has the smaller key.

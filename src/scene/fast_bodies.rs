@@ -1,15 +1,15 @@
 //! Fast bodies meet others and the level on their whole path, in the order of the times.
 //!
-//! Each has a straight way for the rest of the step, and knows its first end: the level, another
+//! Each has a straight path for the rest of the step, and knows its first end: the level, another
 //! body, or the step. The earliest end is handled, and the bodies that it changed look again.
 //!
-//! A slow body has already moved, and replies as on the straight way from its start. A hit changes
-//! its velocity, but it keeps that way; the body that hit it avoids the way. Two that meet again in
-//! the step move along each other, and their velocities meet in the next one.
+//! A slow body has already moved, and replies as on the straight path from its start. A hit changes
+//! its velocity, but it keeps that path, and the body that hit it avoids the path. Two that meet
+//! again in the step move along each other, and their velocities meet in the next one.
 
 use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, NOBODY, Slot};
-use super::body_way::{BodyWay, Heading, Pace, TURNS, WayEnd, later, rate_of, size};
+use super::body_path::{BodyPath, Heading, Pace, PathEnd, TURNS, later, rate_of, size};
 use super::change::add_to_awake;
 use super::idle::{reach_of, stop_idling};
 use super::kernel::BodyShape;
@@ -18,7 +18,7 @@ use super::meeting_time::{Encounter, FirstEnd, around, each_near, may_meet, pair
 use super::memory::Remembered;
 use super::reply::{Replies, Reply};
 use super::through_level::{Touched, Trip, hold_in_place};
-use super::two_ways::{TwoWays, pushed};
+use super::two_paths::{TwoPaths, pushed};
 use super::{Scene, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
@@ -40,7 +40,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             .max()
             .unwrap_or(0);
         for &handle in movers {
-            let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.way.pace == Pace::Swept) else { continue };
+            let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.path.pace == Pace::Swept) else { continue };
             let (mut alone, mut apart) = (true, true);
             let (bounds, far) = (slot.body.shape.aabb(), reach(slot));
             near.in_region(&around(&bounds, far.saturating_add(widest)), |other| {
@@ -53,7 +53,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             });
             let stays = alone || (apart && trip.stays(slot));
             if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| stays) {
-                slot.way.pace = Pace::Slow;
+                slot.path.pace = Pace::Slow;
             }
         }
     }
@@ -83,7 +83,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 }
 
-/// No chord is taken for less than this, in raw units. Its velocity is that of the part of the way
+/// No chord is taken for less than this, in raw units. Its velocity is that of the part of the path
 /// that is left, whose roundings are less than 1 in 2000 of it. Of 11 raw units they took a tenth.
 const SHORTEST_CHORD: u32 = 1 << 12;
 
@@ -115,30 +115,30 @@ where
     fn run(&mut self) {
         self.launch();
         while let Some(handle) = self.earliest() {
-            match self.slots.get(handle.slot()).map_or(WayEnd::Step, |slot| slot.way.end.1) {
-                WayEnd::Step => break,
-                WayEnd::Level => self.hit_level(handle),
-                WayEnd::Body(with) => self.meet_body(handle, with),
+            match self.slots.get(handle.slot()).map_or(PathEnd::Step, |slot| slot.path.end.1) {
+                PathEnd::Step => break,
+                PathEnd::Level => self.hit_level(handle),
+                PathEnd::Body(with) => self.meet_body(handle, with),
             }
         }
         for handle in self.movers {
             self.finish(*handle);
         }
-        self.slots.iter_mut().for_each(|slot| slot.way = BodyWay::made(slot.way.rate));
+        self.slots.iter_mut().for_each(|slot| slot.path = BodyPath::made(slot.path.rate));
     }
 
-    /// A push is a part of the body's way: another body may be on it.
+    /// A push is a part of the body's path: another body may be on it.
     #[inline(never)]
     fn launch(&mut self) {
         for handle in self.movers {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if slot.way.pace == Pace::Swept {
+            if slot.path.pace == Pace::Swept {
                 slot.body.velocity += slot.tally.kick;
                 let rate = slot.body.velocity + slot.tally.push();
-                slot.way = BodyWay { pace: Pace::Swept, since: Toi::ZERO, aloft: true, ..BodyWay::made(rate) };
+                slot.path = BodyPath { pace: Pace::Swept, since: Toi::ZERO, aloft: true, ..BodyPath::made(rate) };
                 self.stepped.moved += 1;
             } else {
-                self.margin = self.margin.max(size(slot.way.rate));
+                self.margin = self.margin.max(size(slot.path.rate));
             }
         }
         self.look_again(None);
@@ -147,21 +147,21 @@ where
     /// The body with the earliest end. At one time the level's end is first, then the pair with the
     /// smaller keys, then slots.
     fn earliest(&self) -> Option<Handle> {
-        let swept = |handle: &&Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.way.pace == Pace::Swept);
+        let swept = |handle: &&Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.path.pace == Pace::Swept);
         self.movers.iter().filter(swept).copied().min_by_key(|handle| {
             let rank = |at: usize| (self.slots.get(at).map_or(0, |slot| slot.body.key), at);
             let mine = rank(handle.slot());
-            let (time, end) = self.slots.get(handle.slot()).map_or((Toi::ONE, WayEnd::Step), |slot| slot.way.end);
+            let (time, end) = self.slots.get(handle.slot()).map_or((Toi::ONE, PathEnd::Step), |slot| slot.path.end);
             let (kind, other) = match end {
-                WayEnd::Level => (0, mine),
-                WayEnd::Body(with) => (1, rank(with.into())),
-                WayEnd::Step => (2, mine),
+                PathEnd::Level => (0, mine),
+                PathEnd::Body(with) => (1, rank(with.into())),
+                PathEnd::Step => (2, mine),
             };
             (kind == 2, time, kind, mine.min(other), mine.max(other))
         })
     }
 
-    /// Finds the ends of the ways of the bodies in the slots `turned`, and of those that depend on
+    /// Finds the ends of the paths of the bodies in the slots `turned`, and of those that depend on
     /// them. With `None`, at the start of the step, it finds all ends. All look again if one is
     /// held, because some may have seen it move.
     #[inline(never)]
@@ -178,12 +178,12 @@ where
     fn find_ends(&mut self, turned: Option<[u16; 2]>) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
-            if slot.way.pace != Pace::Swept || slot.way.is_held() {
+            if slot.path.pace != Pace::Swept || slot.path.is_held() {
                 continue;
             }
             let end = match turned {
-                Some(turned) if !turned.iter().any(|&at| slot.way.depends_on(handle, at)) => {
-                    if !slot.way.waits() {
+                Some(turned) if !turned.iter().any(|&at| slot.path.depends_on(handle, at)) => {
+                    if !slot.path.waits() {
                         continue;
                     }
                     Ok(self.compare_turned(handle, &slot, turned))
@@ -192,10 +192,10 @@ where
             };
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             match end {
-                Ok(end) => slot.way.end = end,
+                Ok(end) => slot.path.end = end,
                 Err(fault) => {
-                    (slot.body.velocity, slot.way.rate) = (Vec2::ZERO, Vec2::ZERO);
-                    (slot.way.turns, slot.way.end) = (BodyWay::HELD, (Toi::ONE, WayEnd::Step));
+                    (slot.body.velocity, slot.path.rate) = (Vec2::ZERO, Vec2::ZERO);
+                    (slot.path.turns, slot.path.end) = (BodyPath::HELD, (Toi::ONE, PathEnd::Step));
                     self.stepped.held += 1;
                     (self.each)(SceneEvent::Held { body: handle, fault });
                 }
@@ -203,11 +203,11 @@ where
         }
     }
 
-    /// The first end of a body's way.
+    /// The first end of a body's path.
     #[inline(never)]
-    fn find_end(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, WayEnd), SceneFault> {
-        let since = slot.way.since;
-        let touched = self.trip.touch(&slot.body, slot.way.left(since))?;
+    fn find_end(&mut self, handle: Handle, slot: &Slot<S>) -> Result<(Toi, PathEnd), SceneFault> {
+        let since = slot.path.since;
+        let touched = self.trip.touch(&slot.body, slot.path.left(since))?;
         let mut first = FirstEnd::of_level(touched.hit.map(|hit| later(since, hit.toi)));
         let replies = &mut *self.replies;
         each_near(self.near, self.slots, (self.movers, self.margin), handle, stops, |other, at| {
@@ -216,13 +216,13 @@ where
         Ok(first.end)
     }
 
-    /// The first end of the way of a body that waits, if others have turned on which it did not
+    /// The first end of the path of a body that waits, if others have turned on which it did not
     /// depend. It may have ignored them before, and they may ignore it if they wait as well.
-    fn compare_turned(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, WayEnd) {
-        let (mut first, passed) = (FirstEnd::known(self.slots, slot.way.end), slot.passed());
+    fn compare_turned(&mut self, handle: Handle, slot: &Slot<S>, turned: [u16; 2]) -> (Toi, PathEnd) {
+        let (mut first, passed) = (FirstEnd::known(self.slots, slot.path.end), slot.passed());
         for other in turned {
             let other = usize::from(other);
-            let near = |at: &&Slot<S>| at.way.pace == Pace::Swept && stops(slot, at) && at.passed().touches(&passed);
+            let near = |at: &&Slot<S>| at.path.pace == Pace::Swept && stops(slot, at) && at.passed().touches(&passed);
             if let Some(at) = self.slots.get(other).filter(near) {
                 first.meet((handle, slot), (Handle::new(other, at.generation), at), self.replies);
             }
@@ -234,28 +234,28 @@ where
     #[inline(never)]
     fn hit_level(&mut self, handle: Handle) {
         let Some(slot) = self.slots.get(handle.slot()).copied() else { return };
-        let (time, _) = slot.way.end;
+        let (time, _) = slot.path.end;
         self.report_sensors(handle, &slot, time);
-        let touched = self.trip.touch(&slot.body, slot.way.left(slot.way.since));
+        let touched = self.trip.touch(&slot.body, slot.path.left(slot.path.since));
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
-        slot.way.turns += u8::from(slot.way.turns < TURNS);
+        slot.path.turns += u8::from(slot.path.turns < TURNS);
         let (mut push, mut chord) = (pushed(slot), None);
         // Others may lead it faster than it moves by itself.
-        let leads_itself = slot.way.rate == slot.body.velocity;
+        let leads_itself = slot.path.rate == slot.body.velocity;
         if let Ok(Touched { shape, hit: Some(hit), floor, flags }) = touched {
             let velocity = slot.body.velocity;
             let stays = shape.position() == slot.body.shape.position();
-            self.trip.report_way(handle, &slot.body.shape, &shape);
+            self.trip.report_path(handle, &slot.body.shape, &shape);
             slot.body.shape = shape;
-            if stays && slot.way.stop == Heading::of(hit.axis) {
+            if stays && slot.path.stop == Heading::of(hit.axis) {
                 // Between two surfaces that face each other, bounces would take no time.
                 slot.body.velocity = Surface::SLICK.respond(velocity, hit.axis).unwrap_or(Vec2::ZERO);
             } else {
                 let (after, slides) = self.trip.after(&slot.body, &hit);
                 // A curve has the next hit at once, again and again. The mover knows the chord, and
                 // others can meet the body on that.
-                let left = slot.way.left(time);
-                let bends = slides && slot.way.turns > 1 && !slot.way.waits() && size(left) >= SHORTEST_CHORD;
+                let left = slot.path.left(time);
+                let bends = slides && slot.path.turns > 1 && !slot.path.waits() && size(left) >= SHORTEST_CHORD;
                 if bends && push == Vec2::ZERO {
                     let bent = self.trip.bend(&slot.body, left);
                     chord = bent.ok().filter(|(by, _)| *by != Vec2::ZERO);
@@ -264,9 +264,9 @@ where
             }
             // It is pushed along the surface.
             push = Surface::SLICK.respond(push, hit.axis).unwrap_or(Vec2::ZERO);
-            slot.way.stop = Heading::of(hit.axis.reversed());
+            slot.path.stop = Heading::of(hit.axis.reversed());
             if floor {
-                (slot.support, slot.ground, slot.way.aloft) = (0, NOBODY, false);
+                (slot.support, slot.ground, slot.path.aloft) = (0, NOBODY, false);
             }
             let hits = Hits::one(Hit { toi: time, ..hit });
             (self.each)(SceneEvent::Level { body: handle, hits: &hits, flags, velocity });
@@ -275,9 +275,9 @@ where
             if leads_itself {
                 slot.body.velocity = rate_of(velocity, time);
             }
-            slot.way.go_on(time, rate_of(by, time));
+            slot.path.go_on(time, rate_of(by, time));
         } else {
-            slot.way.go_on(time, if slot.way.waits() { Vec2::ZERO } else { slot.body.velocity + push });
+            slot.path.go_on(time, if slot.path.waits() { Vec2::ZERO } else { slot.body.velocity + push });
         }
         let at = handle.slot() as u16;
         self.look_again(Some([at, at]));
@@ -291,14 +291,14 @@ where
         let (one, two) = ((handle, *slot), (Handle::new(with.into(), other.generation), *other));
         if let Some(met) = Encounter::of((one.0, &one.1), (two.0, &two.1)) {
             for (at, slot) in [&one, &two] {
-                if slot.way.pace == Pace::Swept {
+                if slot.path.pace == Pace::Swept {
                     self.report_sensors(*at, slot, met.time);
                 }
             }
             self.meet(&met);
         } else if let Some(slot) = self.slots.get_mut(handle.slot()) {
             // This cannot happen: the body that found it has looked at the same two.
-            slot.way.turns = TURNS;
+            slot.path.turns = TURNS;
         }
         let at = handle.slot() as u16;
         self.look_again(Some([at, with]));
@@ -307,17 +307,17 @@ where
     #[inline(never)]
     fn meet(&mut self, met: &Encounter) {
         self.place_at_meeting(met);
-        let Some(mut ways) = TwoWays::of(self.slots, met) else { return };
-        if !ways.again {
-            self.report(met, &ways);
+        let Some(mut paths) = TwoPaths::of(self.slots, met) else { return };
+        if !paths.again {
+            self.report(met, &paths);
             let reply = self.replies.to(met.pair);
-            ways.exchange_velocities(self.slots, reply, self.trip.gravity);
+            paths.exchange_velocities(self.slots, reply, self.trip.gravity);
         }
-        ways.settle(self.slots, self.trip.gravity);
-        ways.go_on();
-        ways.part();
-        ways.count_turns();
-        for (at, from) in [(met.pair.a, ways.one), (met.pair.b, ways.other)] {
+        paths.settle(self.slots, self.trip.gravity);
+        paths.go_on();
+        paths.part();
+        paths.count_turns();
+        for (at, from) in [(met.pair.a, paths.one), (met.pair.b, paths.other)] {
             self.commit(at, &from);
         }
     }
@@ -326,36 +326,36 @@ where
     /// position is rounded: a body on a floor might lead into it.
     fn place_at_meeting(&mut self, met: &Encounter) {
         for (at, place) in [(met.pair.a, met.place_a), (met.pair.b, met.place_b)] {
-            let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.way.pace == Pace::Swept) else {
+            let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.path.pace == Pace::Swept) else {
                 continue;
             };
             if let Ok(shape) = self.trip.slide(at, &slot.body, place - slot.body.shape.position()) {
                 slot.body.shape = shape;
             }
-            slot.way.since = met.time;
+            slot.path.since = met.time;
         }
     }
 
     /// Reports that two bodies meet for the first time, and wakes them.
-    fn report(&mut self, met: &Encounter, ways: &TwoWays<'_, S>) {
-        (self.each)(met.event(&ways.one, &ways.other));
+    fn report(&mut self, met: &Encounter, paths: &TwoPaths<'_, S>) {
+        (self.each)(met.event(&paths.one, &paths.other));
         add_to_awake(self.slots, self.room, &mut self.woken, met.pair.a);
         add_to_awake(self.slots, self.room, &mut self.woken, met.pair.b);
     }
 
-    /// Stores the velocity, the way and the support of a body after a meeting.
+    /// Stores the velocity, the path and the support of a body after a meeting.
     fn commit(&mut self, at: Handle, from: &Slot<S>) {
         let Some(slot) = self.slots.get_mut(at.slot()) else { return };
         // A body that has already moved in this step does not fall asleep at its end.
-        if slot.way.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
+        if slot.path.pace == Pace::Slow && slot.body.velocity != from.body.velocity {
             slot.quiet = 0;
             stop_idling(self.memory, at.slot());
         }
-        (slot.body.velocity, slot.way) = (from.body.velocity, from.way);
+        (slot.body.velocity, slot.path) = (from.body.velocity, from.path);
         (slot.support, slot.ground) = (from.support, from.ground);
     }
 
-    /// Reports the sensors on a way that ends at a time.
+    /// Reports the sensors on a path that ends at a time.
     #[inline(never)]
     fn report_sensors(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
         let (each, replies) = (&mut *self.each, &mut *self.replies);
@@ -371,25 +371,25 @@ where
         });
     }
 
-    /// Only the step ends its way.
+    /// Only the step ends its path.
     #[inline(never)]
     fn finish(&mut self, handle: Handle) {
-        let swept = |slot: &&Slot<S>| slot.way.pace == Pace::Swept;
+        let swept = |slot: &&Slot<S>| slot.path.pace == Pace::Swept;
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
         self.report_sensors(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
-        if let Ok(touched) = self.trip.touch(&slot.body, slot.way.left(slot.way.since)) {
-            self.trip.report_way(handle, &slot.body.shape, &touched.shape);
+        if let Ok(touched) = self.trip.touch(&slot.body, slot.path.left(slot.path.since)) {
+            self.trip.report_path(handle, &slot.body.shape, &touched.shape);
             slot.body.shape = touched.shape;
         }
-        slot.way.since = Toi::ONE;
-        if slot.way.aloft {
+        slot.path.since = Toi::ONE;
+        if slot.path.aloft {
             (slot.support, slot.ground) = (ALOFT, NOBODY);
         }
-        let (bounds, free) = (slot.body.shape.aabb(), slot.way.turns == 0);
+        let (bounds, free) = (slot.body.shape.aabb(), slot.path.turns == 0);
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
         slot.block(blocked_sides(slot.tally.push(), by), by);
-        slot.way.rate = by;
+        slot.path.rate = by;
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {

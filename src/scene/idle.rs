@@ -9,7 +9,7 @@
 //! distance make their steps in full.
 
 use super::body::{Mode, Slot};
-use super::body_way::size;
+use super::body_path::size;
 use super::kernel::BodyShape;
 use super::meeting_time::{around, reach};
 use super::memory::{Idle, Remembered, Rest, rest, rest_mut};
@@ -27,7 +27,7 @@ impl Rest {
         let causes = &self.made.causes;
         let before = causes.velocity - slot.body.weight(gravity) - slot.tally.kick;
         let as_it_was = slot.mode == Mode::Awake
-            && slot.way.rate == Vec2::ZERO
+            && slot.path.rate == Vec2::ZERO
             && slot.body.velocity == before
             && causes.gravity == gravity
             && (slot.support, slot.ground, slot.blocked, slot.tally.drift)
@@ -216,8 +216,8 @@ impl<S: BodyShape> Slot<S> {
     /// Begins a company of one. Returns how far it may move. Until the step begins, `hits` of the
     /// representative has that distance, and `under` of each how far a look has reached.
     fn goes_alone(&mut self, handle: Handle, more: u32) -> u16 {
-        let way = size(self.body.velocity).saturating_add(more).saturating_mul(4).saturating_add(QUARTER);
-        (self.tally.link, self.tally.hits, self.tally.under) = (handle.slot() as u16, sixteenths(way), 0);
+        let path = size(self.body.velocity).saturating_add(more).saturating_mul(4).saturating_add(QUARTER);
+        (self.tally.link, self.tally.hits, self.tally.under) = (handle.slot() as u16, sixteenths(path), 0);
         self.tally.hits
     }
 }

@@ -9,7 +9,7 @@
 use super::SceneBody;
 use super::blocked_sides::blocked_sides;
 use super::body::{Mode, Slot};
-use super::body_way::size;
+use super::body_path::size;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
 use super::meeting_time::{around, may_meet, pair, senses};
@@ -76,15 +76,15 @@ impl<V> Trip<'_, V> {
         let Some((by, velocity)) = self.cut(slots, near, (handle, slot), (from, by), replies) else { return };
         let body = SceneBody { shape: *from, ..slot.body };
         let to = self.touch(&body, by).map_or(*from, |touched| touched.shape);
-        if !slot.way.lies() && near.move_to(handle, &to.aabb()).is_err() {
+        if !slot.path.lies() && near.move_to(handle, &to.aabb()).is_err() {
             return;
         }
-        self.report_way(handle, &slot.body.shape, &to);
+        self.report_path(handle, &slot.body.shape, &to);
         keep(memory, handle.slot(), None);
         let by = to.position() - from.position();
         let Some(slot) = slots.get_mut(handle.slot()) else { return };
         let Start { quiet, blocked, drift, .. } = before.start;
-        (slot.body.shape, slot.body.velocity, slot.way.rate) = (to, velocity, by);
+        (slot.body.shape, slot.body.velocity, slot.path.rate) = (to, velocity, by);
         (slot.quiet, slot.blocked, slot.tally.drift, slot.tally.under) = (quiet, blocked, drift, before.under);
         slot.block(blocked_sides(slot.tally.push(), by), by);
         self.arrive(slot, by, slot.support, false);
@@ -155,7 +155,7 @@ fn first_fixed<S: BodyShape>(
         let Some(hit) = from.run_into(by - lift, &it.shape, Vec2::ZERO) else { return };
         let mut until = (!hit.inside).then_some(hit.displacement);
         let mut axis = start.map_or(hit.axis, |start| start.axis());
-        if slot.way.lies() {
+        if slot.path.lies() {
             // It is brought out of those below it once they have moved, if it is not too deep. What
             // is below does not stop it across gravity: not the next stone of a floor, either.
             let up = toward(gravity).reversed();

@@ -32,8 +32,8 @@ pub(super) trait View<S> {
     ) -> Result<Moved<B>, MoveError> {
         mover.move_and_slide(self.level(body), from, by)
     }
-    /// A body has moved on a straight way.
-    fn report_way(&self, _: Handle, _: &S, _: Vec2) {}
+    /// A body has moved on a straight path.
+    fn report_path(&self, _: Handle, _: &S, _: Vec2) {}
 }
 
 /// One level for all bodies.
@@ -122,7 +122,7 @@ impl<'l, W: World, S: BodyShape, F: Fn(&SceneBody<S>) -> &'l W, T: FnMut(Handle,
         Ok(moved)
     }
 
-    fn report_way(&self, handle: Handle, from: &S, by: Vec2) {
+    fn report_path(&self, handle: Handle, from: &S, by: Vec2) {
         self.passed(handle, from, &Trail::straight(by));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::SceneEvent;
 use super::body::{Mode, Slot};
-use super::body_way::{Pace, WayEnd, later, size};
+use super::body_path::{Pace, PathEnd, later, size};
 use super::kernel::BodyShape;
 use super::reply::Replies;
 use crate::broad::{BroadPhase, Handle, Pair};
@@ -23,21 +23,21 @@ pub(super) struct Encounter {
 }
 
 impl Encounter {
-    /// In the order of the pair, so the result is the same for both bodies. The ways start at the
+    /// In the order of the pair, so the result is the same for both bodies. The paths start at the
     /// time from which both bodies are on them.
     #[inline(never)]
     pub(super) fn of<S: BodyShape>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Option<Self> {
         let pair = pair(one, other);
         let (a, b) = if pair.a == one.0 { (one.1, other.1) } else { (other.1, one.1) };
-        let swept = |slot: &Slot<S>| slot.way.pace == Pace::Swept;
+        let swept = |slot: &Slot<S>| slot.path.pace == Pace::Swept;
         let from = match (swept(a), swept(b)) {
-            (true, true) => a.way.since.max(b.way.since),
-            (true, false) => a.way.since,
-            (false, true) => b.way.since,
+            (true, true) => a.path.since.max(b.path.since),
+            (true, false) => a.path.since,
+            (false, true) => b.path.since,
             (false, false) => return None,
         };
         let (p, q) = (a.at(from), b.at(from));
-        let (left_a, left_b) = (a.way.left(from), b.way.left(from));
+        let (left_a, left_b) = (a.path.left(from), b.path.left(from));
         let hit = p.run_into(left_a, &q, left_b)?;
         if !hit.inside {
             // The cast's own displacements are shares of how far they approach, which may be zero.
@@ -59,7 +59,7 @@ impl Encounter {
             });
         }
         let axis = p.contact(&q)?.axis();
-        let nearing = axis.dot_vec(a.way.rate - b.way.rate) > 0;
+        let nearing = axis.dot_vec(a.path.rate - b.path.rate) > 0;
         nearing.then_some(Self { pair, time: from, axis, place_a: p.position(), place_b: q.position(), begins: false })
     }
 
@@ -70,10 +70,10 @@ impl Encounter {
     }
 }
 
-/// The first end of a way among those that were compared. At the same time, the level goes before
+/// The first end of a path among those that were compared. At the same time, the level goes before
 /// bodies, then the body with the smaller key, then the one in the smaller slot.
 pub(super) struct FirstEnd {
-    pub(super) end: (Toi, WayEnd),
+    pub(super) end: (Toi, PathEnd),
     /// The key and the slot of the body, if one ends it.
     rank: (u32, usize),
 }
@@ -81,14 +81,14 @@ pub(super) struct FirstEnd {
 impl FirstEnd {
     /// The end at the level, if there is one.
     pub(super) fn of_level(hit: Option<Toi>) -> Self {
-        Self { end: hit.map_or((Toi::ONE, WayEnd::Step), |time| (time, WayEnd::Level)), rank: (0, 0) }
+        Self { end: hit.map_or((Toi::ONE, PathEnd::Step), |time| (time, PathEnd::Level)), rank: (0, 0) }
     }
 
     /// An end that was found before.
-    pub(super) fn known<S>(slots: &[Slot<S>], end: (Toi, WayEnd)) -> Self {
+    pub(super) fn known<S>(slots: &[Slot<S>], end: (Toi, PathEnd)) -> Self {
         let rank = match end.1 {
-            WayEnd::Body(at) => (slots.get(usize::from(at)).map_or(0, |slot| slot.body.key), at.into()),
-            WayEnd::Level | WayEnd::Step => (0, 0),
+            PathEnd::Body(at) => (slots.get(usize::from(at)).map_or(0, |slot| slot.body.key), at.into()),
+            PathEnd::Level | PathEnd::Step => (0, 0),
         };
         Self { end, rank }
     }
@@ -104,27 +104,27 @@ impl FirstEnd {
         let (time, end) = self.end;
         let rank = (other.1.body.key, other.0.slot());
         let before = match end {
-            WayEnd::Step => met.time <= time,
-            WayEnd::Level => met.time < time,
-            WayEnd::Body(_) => (met.time, rank) < (time, self.rank),
+            PathEnd::Step => met.time <= time,
+            PathEnd::Level => met.time < time,
+            PathEnd::Body(_) => (met.time, rank) < (time, self.rank),
         };
         if before && replies.to(met.pair).acts() {
-            (self.end, self.rank) = ((met.time, WayEnd::Body(other.0.slot() as u16)), rank);
+            (self.end, self.rank) = ((met.time, PathEnd::Body(other.0.slot() as u16)), rank);
         }
     }
 }
 
 impl<S: BodyShape> Slot<S> {
-    /// Its shape at a time, on its way.
+    /// Its shape at a time, on its path.
     pub(super) fn at(&self, time: Toi) -> S {
-        self.body.shape.shifted(self.way.left(self.way.since) - self.way.left(time))
+        self.body.shape.shifted(self.path.left(self.path.since) - self.path.left(time))
     }
 
-    /// The box around the rest of its way. It is tested before a cast, which costs ten times as
+    /// The box around the rest of its path. It is tested before a cast, which costs ten times as
     /// much: in a crowd it touches the boxes of only a few others.
     pub(super) fn passed(&self) -> Aabb {
         let start = self.body.shape.aabb();
-        start.union(&self.body.shape.shifted(self.way.left(self.way.since)).aabb())
+        start.union(&self.body.shape.shifted(self.path.left(self.path.since)).aabb())
     }
 }
 
@@ -140,7 +140,7 @@ pub(super) fn each_near<B: BroadPhase, S: BodyShape>(
 ) {
     let Some(slot) = slots.get(handle.slot()) else { return };
     let may = |other: Handle, swept: bool| {
-        let found = slots.get(other.slot()).filter(|at| (at.way.pace == Pace::Swept) == swept);
+        let found = slots.get(other.slot()).filter(|at| (at.path.pace == Pace::Swept) == swept);
         found.filter(|at| other != handle && counts(slot, at))
     };
     let passed = slot.passed();
@@ -165,9 +165,9 @@ pub(super) const fn senses<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
     one.body.filter.sensor() || other.body.filter.sensor()
 }
 
-/// Whether another body may end the way of one.
+/// Whether another body may end the path of one.
 pub(super) fn stops<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
-    may_meet(one, other) && !one.way.ignores(&other.way) && !senses(one, other)
+    may_meet(one, other) && !one.path.ignores(&other.path) && !senses(one, other)
 }
 
 /// Two bodies in canonical order.

@@ -6,7 +6,7 @@
 //! back. Two motions are equal if the body, its position and the causes are equal.
 
 use super::body::Slot;
-use super::body_way::{Drift, size};
+use super::body_path::{Drift, size};
 use super::pressed::Pressed;
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
@@ -16,12 +16,12 @@ use crate::num::Vec2;
 pub(super) enum Remembered {
     Empty,
     Rest(Rest),
-    Way(RememberedWay),
+    Path(RememberedPath),
 }
 
 /// A short motion through the level.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RememberedWay {
+pub(super) struct RememberedPath {
     made: Made,
     slot: u16,
     from: Vec2,
@@ -139,41 +139,41 @@ pub(super) fn keep(places: &mut [Remembered], at: usize, rest: Option<Rest>) {
 }
 
 /// The displacement and the end of a motion that was made before.
-pub(super) fn known(ways: &mut [Remembered], at: usize, from: Vec2, causes: &Causes) -> Option<(Vec2, Made)> {
-    ways.iter_mut().find_map(|place| {
-        let Remembered::Way(way) = place else { return None };
-        let same = usize::from(way.slot) == at && way.from == from && way.made.causes == *causes;
+pub(super) fn known(paths: &mut [Remembered], at: usize, from: Vec2, causes: &Causes) -> Option<(Vec2, Made)> {
+    paths.iter_mut().find_map(|place| {
+        let Remembered::Path(path) = place else { return None };
+        let same = usize::from(path.slot) == at && path.from == from && path.made.causes == *causes;
         same.then(|| {
-            way.used = true;
-            (way.by, way.made)
+            path.used = true;
+            (path.by, path.made)
         })
     })
 }
 
 /// Keeps a motion, if it is as short as those of bodies that hardly move. Long motions are seldom
 /// repeated.
-pub(super) fn note(ways: &mut [Remembered], at: usize, from: Vec2, by: Vec2, made: &Made) {
-    if ways.is_empty() || size(by) > size(made.causes.gravity).saturating_mul(2) {
+pub(super) fn note(paths: &mut [Remembered], at: usize, from: Vec2, by: Vec2, made: &Made) {
+    if paths.is_empty() || size(by) > size(made.causes.gravity).saturating_mul(2) {
         return;
     }
-    let free = |place: &Remembered| !matches!(place, Remembered::Way(way) if way.used);
+    let free = |place: &Remembered| !matches!(place, Remembered::Path(path) if path.used);
     // Replaces one that was not repeated lately.
-    if !ways.iter().any(free) {
-        for place in &mut *ways {
-            if let Remembered::Way(way) = place {
-                way.used = false;
+    if !paths.iter().any(free) {
+        for place in &mut *paths {
+            if let Remembered::Path(path) = place {
+                path.used = false;
             }
         }
     }
-    if let Some(place) = ways.iter_mut().find(|place| free(place)) {
-        *place = Remembered::Way(RememberedWay { made: *made, slot: at as u16, from, by, used: true });
+    if let Some(place) = paths.iter_mut().find(|place| free(place)) {
+        *place = Remembered::Path(RememberedPath { made: *made, slot: at as u16, from, by, used: true });
     }
 }
 
 /// Forgets the motions of a body that has changed.
-pub(super) fn forget(ways: &mut [Remembered], at: usize) {
-    for place in ways {
-        if matches!(place, Remembered::Way(way) if usize::from(way.slot) == at) {
+pub(super) fn forget(paths: &mut [Remembered], at: usize) {
+    for place in paths {
+        if matches!(place, Remembered::Path(path) if usize::from(path.slot) == at) {
             *place = Remembered::Empty;
         }
     }

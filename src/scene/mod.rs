@@ -373,7 +373,7 @@
 
 mod blocked_sides;
 mod body;
-mod body_way;
+mod body_path;
 mod change;
 mod error;
 mod event;
@@ -399,7 +399,7 @@ mod step;
 mod stored;
 mod through_both;
 mod through_level;
-mod two_ways;
+mod two_paths;
 mod velocities;
 mod verbs;
 

@@ -3,7 +3,7 @@
 
 use super::blocked_sides::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
-use super::body_way::Pace;
+use super::body_path::Pace;
 use super::kernel::BodyShape;
 use super::meeting_time::senses;
 use super::reply::{Replies, Reply};
@@ -143,7 +143,7 @@ pub(super) fn note_who_lies<S: BodyShape>(
     if let Some(slot) = slots.get_mut(at.slot()) {
         let under = &mut slot.tally.under;
         *under = if *under == NOBODY { lower.slot() as u16 } else { SEVERAL };
-        slot.way.pace = Pace::Lies;
+        slot.path.pace = Pace::Lies;
     }
     carried
 }
@@ -164,7 +164,7 @@ fn upper<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, contact: Option<&Contact>, grav
 }
 
 /// Whether the pair is left until those below have made their steps. A fast body is moved last, and
-/// along its whole way: what it overlaps pushes it like the others, or nothing would.
+/// along its whole path: what it overlaps pushes it like the others, or nothing would.
 fn is_carried<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, top: Top) -> bool {
     let (upper, lower) = if top == Top::A { (a, b) } else { (b, a) };
     lower.support != ALOFT && !upper.leads_fast()

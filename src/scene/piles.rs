@@ -5,7 +5,7 @@
 //! whole pile within a step, and a pile on a moving carrier behaves as at rest.
 
 use super::body::{ALOFT, FLIES, Mode, Slot};
-use super::body_way::{Drift, Pace, size};
+use super::body_path::{Drift, Pace, size};
 use super::kept_out::Before;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
@@ -62,7 +62,7 @@ fn from_the_lowest<S: BodyShape>(movers: &mut [Handle], from: usize, slots: &[Sl
     };
     let mut lying = from;
     for at in from..movers.len() {
-        if slot(movers.get(at)).is_none_or(|slot| !slot.way.lies()) {
+        if slot(movers.get(at)).is_none_or(|slot| !slot.path.lies()) {
             continue;
         }
         swap(movers, lying, at);
@@ -98,8 +98,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let ground = ground_under(self.slots, handle);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
         let known = slot.body.shape;
-        let moved = slot.way.pace == Pace::Moved;
-        let by = if moved { slot.way.rate } else { Vec2::ZERO };
+        let moved = slot.path.pace == Pace::Moved;
+        let by = if moved { slot.path.rate } else { Vec2::ZERO };
         let (start, quiet) =
             (known.position() - by, if moved { slot.quiet_before(by) } else { slot.quiet_and_drift() });
         if !moved {
@@ -109,7 +109,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
                 self.trip.keep_out((self.slots, self.near, self.memory), handle, &before, replies);
             }
             let Some(slot) = self.slots.get_mut(handle.slot()) else { return false };
-            if slot.way.pace != Pace::Lies {
+            if slot.path.pace != Pace::Lies {
                 return false;
             }
         }
@@ -134,7 +134,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             keep(self.memory, handle.slot(), None);
             hold_in_place(&mut slot, handle, fault, self.stepped, each);
         }
-        (slot.way.pace, slot.way.turns) = (Pace::Slow, 1);
+        (slot.path.pace, slot.path.turns) = (Pace::Slow, 1);
         if let Some(place) = self.slots.get_mut(handle.slot()) {
             *place = slot;
         }
@@ -148,11 +148,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let Self { near, slots, trip, .. } = self;
         let mut any = false;
         near.in_region(&lower.body.shape.aabb(), |other| {
-            let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.way.turns == 0) else { return };
-            let slow = slot.is_awake() && slot.way.pace == Pace::Slow;
+            let Some(slot) = slots.get_mut(other.slot()).filter(|slot| slot.path.turns == 0) else { return };
+            let slow = slot.is_awake() && slot.path.pace == Pace::Slow;
             let on_top = slow && slot.lies_on(lower, trip.gravity) && may_meet(slot, lower);
             if on_top && !senses(slot, lower) && replies.to(pair((handle, lower), (other, slot))).acts() {
-                (slot.way.pace, any) = (Pace::Moved, true);
+                (slot.path.pace, any) = (Pace::Moved, true);
             }
         });
         any
@@ -212,10 +212,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             self.near.move_to(handle, &bounds)?;
         }
         let (start, quiet) = before;
-        slot.way.rate = slot.body.shape.position() - start;
+        slot.path.rate = slot.body.shape.position() - start;
         if lies {
             (slot.quiet, slot.tally.drift) = quiet;
-            self.trip.arrive(slot, slot.way.rate, slot.support, false);
+            self.trip.arrive(slot, slot.path.rate, slot.support, false);
         }
         Ok(())
     }
@@ -230,7 +230,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         let (handle, slot) = upper;
         let gravity = self.trip.gravity;
         let mut ask = |other: Handle, lower: &Slot<S>| {
-            let carries = other != handle && !lower.way.lies() && lower.support != ALOFT && may_meet(slot, lower);
+            let carries = other != handle && !lower.path.lies() && lower.support != ALOFT && may_meet(slot, lower);
             if !carries || senses(slot, lower) {
                 return;
             }
@@ -244,7 +244,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         };
         // The step finds other bodies there when they are touched. Otherwise a ball that rolls
         // between the two would never rest.
-        let rolls = slot.body.shape.is_round() || slot.way.pace == Pace::Moved;
+        let rolls = slot.body.shape.is_round() || slot.path.pace == Pace::Moved;
         let only = self.slots.get(usize::from(slot.tally.under)).filter(|_| !rolls);
         if let Some(lower) = only {
             return ask(Handle::new(slot.tally.under.into(), lower.generation), lower);

@@ -122,11 +122,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         inside: Inside,
         wanted: impl FnMut(Handle, &SceneBody<S>) -> bool,
     ) -> Result<Option<SceneHit>, RangeError> {
-        self.first_on_way(shape, motion, inside, None, wanted)
+        self.first_on_path(shape, motion, inside, None, wanted)
     }
 
     /// [`cast_shape`](Self::cast_shape), before a time if there is one.
-    pub(super) fn first_on_way<A: CastShape<S> + Extent>(
+    pub(super) fn first_on_path<A: CastShape<S> + Extent>(
         &self,
         shape: &A,
         motion: Vec2,
@@ -140,7 +140,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.first((&shape.extent(), motion), before, wanted, cast, exact)
     }
 
-    /// The first hit on the way of a box. `exact` is the time of a hit that has only a bound.
+    /// The first hit on the path of a box. `exact` is the time of a hit that has only a bound.
     fn first(
         &self,
         (start, motion): (&Aabb, Vec2),

@@ -48,7 +48,7 @@ impl<S: BodyShape> Slot<S> {
     /// Whether a body that has moved touches another, and did not when the step began. The next
     /// step reports that.
     fn begins_to_touch(&self, other: &Self) -> bool {
-        self.way.rate != Vec2::ZERO
+        self.path.rate != Vec2::ZERO
             && self.body.shape.touches(&other.body.shape)
             && !self.at(Toi::ZERO).touches(&other.at(Toi::ZERO))
     }

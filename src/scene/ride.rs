@@ -150,7 +150,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             } else {
                 Ok((Ride::Free, Vec2::ZERO))
             };
-            let (does, way, push) = match asked {
+            let (does, carry, push) = match asked {
                 Ok((Ride::Free, _)) => (STAYS, Vec2::ZERO, Vec2::ZERO),
                 Ok((Ride::Carried, by)) => (CARRIED, by, Vec2::ZERO),
                 Ok((Ride::Pushed { .. }, by)) => (PUSHED, Vec2::ZERO, by),
@@ -162,7 +162,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             }
             acts |= does != STAYS;
             carries |= does == CARRIED;
-            (slot.tally.hits, slot.tally.kick, slot.tally.low) = (does, way, push);
+            (slot.tally.hits, slot.tally.kick, slot.tally.low) = (does, carry, push);
         }
         if acts {
             // Otherwise a body on one that was awake before would stay asleep in the air.
@@ -241,13 +241,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             let does = take(&mut slot.tally.hits);
-            let (way, push) = (take(&mut slot.tally.kick), take(&mut slot.tally.low));
-            if (way, push) == (Vec2::ZERO, Vec2::ZERO) {
+            let (carry, push) = (take(&mut slot.tally.kick), take(&mut slot.tally.low));
+            if (carry, push) == (Vec2::ZERO, Vec2::ZERO) {
                 continue;
             }
-            let to = slot.body.shape.shifted(if does == CARRIED { way } else { push });
+            let to = slot.body.shape.shifted(if does == CARRIED { carry } else { push });
             // At the position to which the solids have pushed it, it is in none of them.
-            let along = if does == TAKEN { to.visit(MoveInLevel(mover, world, way - push)) } else { Ok(to) };
+            let along = if does == TAKEN { to.visit(MoveInLevel(mover, world, carry - push)) } else { Ok(to) };
             let (to, fault) = along.map_or_else(|fault| (to, Some(fault)), |to| (to, None));
             let put = self.near.move_to(handle, &to.aabb()).map(|()| slot.body.shape = to);
             if let Some(fault) = fault.or(put.err().map(SceneFault::from)) {

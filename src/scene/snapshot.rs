@@ -1,7 +1,7 @@
 //! The state that a scene carries from one step to the next, smaller than the scene.
 
 use super::body::{Mode, Slot, Tally};
-use super::body_way::{BodyWay, Drift};
+use super::body_path::{BodyPath, Drift};
 use super::kernel::BodyShape;
 use super::memory::Remembered;
 use super::set::SleepDifference;
@@ -100,7 +100,7 @@ impl<S: BodyShape> Kept<S> {
         let (mode, blocked) = (status.mode(), status.blocked());
         let generation = if matches!(mode, Mode::Free) { 0 } else { handle.generation() };
         let tally = Tally { drift, ..Tally::of(handle.slot() as u16) };
-        Slot { body, generation, mode, quiet, support, ground, blocked, tally, way: BodyWay::REST }
+        Slot { body, generation, mode, quiet, support, ground, blocked, tally, path: BodyPath::REST }
     }
 
     #[cfg(feature = "serde")]

@@ -1,7 +1,7 @@
 //! One step of a scene.
 
 use super::body::{FLIES, Mode, NOBODY, Slot, Tally};
-use super::body_way::{BodyWay, Pace};
+use super::body_path::{BodyPath, Pace};
 use super::change::add_to_awake;
 use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
 use super::kept_out::{Before, fixed_margin};
@@ -332,10 +332,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if !is_idle(&self.memory, handle.slot()) && slot.is_fast() {
-                (slot.way.pace, fast) = (Pace::Swept, true);
+                (slot.path.pace, fast) = (Pace::Swept, true);
                 keep(&mut self.memory, handle.slot(), None);
             }
-            piled |= slot.way.pace == Pace::Lies;
+            piled |= slot.path.pace == Pace::Lies;
         }
         if fast {
             self.release_unreachable(trip, replies);
@@ -344,7 +344,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             if let Some(rest) = idle(&self.memory, handle.slot()) {
                 repeat(slot, handle, rest, stepped, each);
-            } else if slot.way.pace == Pace::Slow {
+            } else if slot.path.pace == Pace::Slow {
                 let ground = ground_under(&self.slots, handle);
                 let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
                 let before = trip.fixed.map(|_| Before::of(slot));
@@ -409,7 +409,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 }
                 left += 1;
             } else if let Some(slot) = slots.get_mut(handle.slot()) {
-                (slot.mode, slot.body.velocity, slot.way) = (Mode::Asleep, Vec2::ZERO, BodyWay::REST);
+                (slot.mode, slot.body.velocity, slot.path) = (Mode::Asleep, Vec2::ZERO, BodyPath::REST);
                 slot.ground = NOBODY;
                 stop_idling(&mut self.memory, handle.slot());
                 let marked = self.near.set_tag(handle, slot.body.tag(true));
@@ -434,7 +434,7 @@ fn begin<S: BodyShape>(slots: &mut [Slot<S>], memory: &[Remembered], awake: &[Ha
         slot.mode = Mode::Awake;
         // A body that lay on others may be a raw unit above them. It then touches nobody.
         let lay = slot.lies(gravity);
-        (slot.way.pace, slot.way.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);
+        (slot.path.pace, slot.path.turns) = (if lay { Pace::Lies } else { Pace::Slow }, 0);
         slot.body.velocity += slot.body.weight(gravity);
     }
     first

@@ -2,7 +2,7 @@
 
 use super::blocked_sides::ALL;
 use super::body::{Mode, NOBODY};
-use super::body_way::Drift;
+use super::body_path::Drift;
 use super::kernel::BodyShape;
 use super::set::SleepDifference;
 use super::snapshot::{Kept, Snapshot, Status};

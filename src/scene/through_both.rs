@@ -1,4 +1,4 @@
-//! The first thing on a way: the level, or a body of the scene.
+//! The first thing on a path: the level, or a body of the scene.
 
 use super::kernel::{BodyShape, Visit};
 use super::query::SceneHit;
@@ -234,9 +234,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> Result<Option<SceneCast>, RangeError> {
         let (shape, rules) = (shape.into(), rules.into());
         let Some(found) = self.first_of_both(level, &shape, motion, rules, &mut wanted)? else { return Ok(None) };
-        let is_free = |way: Raw| matches!(self.first_of_both(level, &shape, way.vec2(), rules, &mut wanted), Ok(None));
-        let way = first_place(Raw::of(found.displacement), Raw::of(motion), 0, is_free);
-        Ok(Some(SceneCast { displacement: way.vec2(), ..found }))
+        let is_free =
+            |path: Raw| matches!(self.first_of_both(level, &shape, path.vec2(), rules, &mut wanted), Ok(None));
+        let path = first_place(Raw::of(found.displacement), Raw::of(motion), 0, is_free);
+        Ok(Some(SceneCast { displacement: path.vec2(), ..found }))
     }
 
     /// What is first, and the displacement up to that alone.
@@ -250,7 +251,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> Result<Option<SceneCast>, RangeError> {
         let wall = shape.visit(Through(level, motion, rules))?;
         let until = wall.map(|(hit, ..)| hit.toi);
-        if let Some(hit) = self.first_on_way(shape, motion, rules.inside, until, wanted)? {
+        if let Some(hit) = self.first_on_path(shape, motion, rules.inside, until, wanted)? {
             let CastHit { displacement, inside, .. } = hit.hit;
             return Ok(Some(SceneCast { first: FirstHit::Body(hit), displacement, inside }));
         }

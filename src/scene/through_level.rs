@@ -2,7 +2,7 @@
 
 use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
-use super::body_way::{BodyWay, Drift, Pace, size};
+use super::body_path::{BodyPath, Drift, Pace, size};
 use super::kernel::{BodyShape, Visit};
 use super::level_of_body::{Sliding, View, sliding};
 use super::meeting_time::{may_meet, senses};
@@ -26,13 +26,13 @@ pub(super) struct Trip<'a, V> {
     pub(super) fixed: Option<u32>,
     sleep: Sleep,
     /// The first place in the memory for short motions.
-    ways: usize,
+    paths: usize,
 }
 
 impl<'a, V> Trip<'a, V> {
-    pub(super) fn new(view: &'a V, gravity: Vec2, fixed: Option<u32>, sleep: Sleep, ways: usize) -> Self {
+    pub(super) fn new(view: &'a V, gravity: Vec2, fixed: Option<u32>, sleep: Sleep, paths: usize) -> Self {
         let mover = sliding(Mover::platformer(toward(gravity).reversed()));
-        Self { view, mover, gravity, fixed, sleep, ways }
+        Self { view, mover, gravity, fixed, sleep, paths }
     }
 }
 
@@ -124,8 +124,8 @@ impl<V> Trip<'_, V> {
             rest.start = Start::of(slot);
             Some((Vec2::ZERO, rest.made))
         } else {
-            let ways = memory.get_mut(self.ways..).unwrap_or_default();
-            let found = known(ways, at, shape.position(), &causes);
+            let paths = memory.get_mut(self.paths..).unwrap_or_default();
+            let found = known(paths, at, shape.position(), &causes);
             if let Some((by, made)) = &found {
                 keep(memory, at, Some(Rest::of(made, Start::of(slot), *by)));
             }
@@ -218,8 +218,8 @@ impl<V> Trip<'_, V> {
         if !memory.is_empty() {
             let (at, made) = (handle.slot(), Made::of(causes, moved, (left, blocked)));
             keep(memory, at, made.as_ref().map(|made| Rest::of(made, start_of, by)));
-            if let Some((ways, made)) = memory.get_mut(self.ways..).zip(made.as_ref()) {
-                note(ways, at, body.position(), by, made);
+            if let Some((paths, made)) = memory.get_mut(self.paths..).zip(made.as_ref()) {
+                note(paths, at, body.position(), by, made);
             }
         }
         slot.body.velocity = left;
@@ -268,7 +268,7 @@ impl<V> Trip<'_, V> {
     {
         let Some(slot) = slots.get(handle.slot()) else { return true };
         let weight = slot.body.weight(self.gravity);
-        if weight == Vec2::ZERO || slot.way.is_held() {
+        if weight == Vec2::ZERO || slot.path.is_held() {
             return true;
         }
         let down = down(weight);
@@ -284,12 +284,12 @@ impl<V> Trip<'_, V> {
         held
     }
 
-    /// A body has made a straight way.
-    pub(super) fn report_way<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
+    /// A body has made a straight path.
+    pub(super) fn report_path<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
     where
         V: View<S>,
     {
-        self.view.report_way(handle, from, to.position() - from.position());
+        self.view.report_path(handle, from, to.position() - from.position());
     }
 
     /// The surface that the level has for a body.
@@ -362,7 +362,7 @@ impl<V> Trip<'_, V> {
     }
 }
 
-/// Moves a body along its way, as far as the level allows.
+/// Moves a body along its path, as far as the level allows.
 fn go<S: BodyShape>(
     slot: &mut Slot<S>,
     handle: Handle,
@@ -371,12 +371,12 @@ fn go<S: BodyShape>(
 ) -> Result<(), SceneFault> {
     if by != Vec2::ZERO {
         let shape = slot.body.shape.shifted(by);
-        if slot.way.pace != Pace::Lies {
+        if slot.path.pace != Pace::Lies {
             near.move_to(handle, &shape.aabb())?;
         }
         slot.body.shape = shape;
     }
-    slot.way.rate = by;
+    slot.path.rate = by;
     Ok(())
 }
 
@@ -404,7 +404,7 @@ pub(super) fn hold_in_place<S>(
 ) {
     slot.body.velocity = Vec2::ZERO;
     (slot.support, slot.quiet) = (ALOFT, slot.quiet.saturating_add(1));
-    slot.way = BodyWay { turns: BodyWay::HELD, ..BodyWay::REST };
+    slot.path = BodyPath { turns: BodyPath::HELD, ..BodyPath::REST };
     stepped.held += 1;
     each(SceneEvent::Held { body: handle, fault });
 }

@@ -1,7 +1,7 @@
 //! How two bodies act on each other's velocities, and which of them carries the other.
 
 use super::body::{ALOFT, Slot};
-use super::body_way::size;
+use super::body_path::size;
 use super::kernel::BodyShape;
 use super::reply::Reply;
 use crate::motion::response::exchange;

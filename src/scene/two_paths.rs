@@ -1,7 +1,7 @@
-//! Two bodies that meet on their ways: their velocities, who lies on whom, and who yields.
+//! Two bodies that meet on their paths: their velocities, who lies on whom, and who yields.
 
 use super::body::{ALOFT, NOBODY, Slot};
-use super::body_way::{Heading, Pace, TURNS};
+use super::body_path::{Heading, Pace, TURNS};
 use super::kernel::BodyShape;
 use super::meeting_time::Encounter;
 use super::pairs::both;
@@ -15,22 +15,22 @@ use crate::num::Vec2;
 /// What moves a body beside its velocity: its push, until it meets another body. From then on,
 /// others may lead it.
 pub(super) fn pushed<S>(slot: &Slot<S>) -> Vec2 {
-    if slot.way.met.1 == 0 { slot.way.rate - slot.body.velocity } else { Vec2::ZERO }
+    if slot.path.met.1 == 0 { slot.path.rate - slot.body.velocity } else { Vec2::ZERO }
 }
 
 /// A body comes to lie on one that something carries in this step.
 fn settle_on<S: BodyShape>(slots: &[Slot<S>], upper: &mut Slot<S>, lower: &Slot<S>, at: Handle) {
-    if lower.way.aloft || lower.support == ALOFT {
+    if lower.path.aloft || lower.support == ALOFT {
         return;
     }
-    if upper.way.aloft {
-        (upper.support, upper.ground, upper.way.aloft) = (ALOFT, NOBODY, false);
+    if upper.path.aloft {
+        (upper.support, upper.ground, upper.path.aloft) = (ALOFT, NOBODY, false);
     }
     upper.lie_on(slots, lower, at);
 }
 
 /// Two bodies that meet, and how each continues. The methods change both.
-pub(super) struct TwoWays<'m, S> {
+pub(super) struct TwoPaths<'m, S> {
     met: &'m Encounter,
     pub(super) one: Slot<S>,
     pub(super) other: Slot<S>,
@@ -42,7 +42,7 @@ pub(super) struct TwoWays<'m, S> {
     pushes: (Vec2, Vec2),
 }
 
-impl<'m, S: BodyShape> TwoWays<'m, S> {
+impl<'m, S: BodyShape> TwoPaths<'m, S> {
     #[inline]
     pub(super) fn of(slots: &[Slot<S>], met: &'m Encounter) -> Option<Self> {
         let (one, other) = both(slots, met.pair)?;
@@ -50,9 +50,9 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
             met,
             one: *one,
             other: *other,
-            again: one.way.has_met(met.pair.b) || other.way.has_met(met.pair.a),
+            again: one.path.has_met(met.pair.b) || other.path.has_met(met.pair.a),
             top: Top::Neither,
-            together: one.way.rate.common(other.way.rate),
+            together: one.path.rate.common(other.path.rate),
             pushes: (pushed(one), pushed(other)),
         })
     }
@@ -64,7 +64,7 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
         if let Some(meeting) = Meeting::of_pile(slots, &self.one, &self.other, hit, gravity) {
             let (by_a, by_b) = meeting.kicks(1);
             for (slot, by) in [(&mut self.one, by_a), (&mut self.other, by_b)] {
-                if !slot.way.is_held() {
+                if !slot.path.is_held() {
                     slot.body.velocity += by;
                 }
             }
@@ -77,8 +77,8 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
         self.top = Top::of(self.met.axis, toward(gravity));
         let (a, b) = (self.met.pair.a, self.met.pair.b);
         match self.top {
-            Top::A if self.one.way.pace == Pace::Swept => settle_on(slots, &mut self.one, &self.other, b),
-            Top::B if self.other.way.pace == Pace::Swept => settle_on(slots, &mut self.other, &self.one, a),
+            Top::A if self.one.path.pace == Pace::Swept => settle_on(slots, &mut self.one, &self.other, b),
+            Top::B if self.other.path.pace == Pace::Swept => settle_on(slots, &mut self.other, &self.one, a),
             _ => {}
         }
     }
@@ -88,20 +88,20 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
     pub(super) fn go_on(&mut self) {
         let (a, b) = (self.met.pair.a, self.met.pair.b);
         for (slot, with, push) in [(&mut self.one, b, self.pushes.0), (&mut self.other, a, self.pushes.1)] {
-            if slot.way.pace == Pace::Swept {
+            if slot.path.pace == Pace::Swept {
                 if !self.again {
-                    slot.way.note(with);
+                    slot.path.note(with);
                 }
                 // A body that it has already met leads it, with its own velocity.
-                let rate = if self.again || slot.way.waits() { slot.way.rate } else { slot.body.velocity + push };
-                slot.way.go_on(self.met.time, rate);
+                let rate = if self.again || slot.path.waits() { slot.path.rate } else { slot.body.velocity + push };
+                slot.path.go_on(self.met.time, rate);
             }
         }
     }
 
-    /// The rest of the two ways must not lead into each other, whatever the velocities are. A speed
-    /// below the sum of the masses, in raw units, may be too low to be shared by them. Then one
-    /// yields, as when they meet again.
+    /// The rest of the two paths must not lead into each other, whatever the velocities are. A
+    /// speed below the sum of the masses, in raw units, may be too low to be shared by them. Then
+    /// one yields, as when they meet again.
     #[inline]
     pub(super) fn part(&mut self) {
         let axis = self.met.axis;
@@ -113,17 +113,17 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
         };
         let yields = self.choose_yielder();
         for masses in [shared, yields].into_iter().flatten() {
-            if let Ok(rates) = exchange(self.one.way.rate, self.other.way.rate, axis, masses, &Surface::SLICK) {
-                (self.one.way.rate, self.other.way.rate) = rates;
+            if let Ok(rates) = exchange(self.one.path.rate, self.other.path.rate, axis, masses, &Surface::SLICK) {
+                (self.one.path.rate, self.other.path.rate) = rates;
             }
         }
         if self.again && axis.x != 0 && axis.y != 0 {
-            // Their ways are rounded: along a slanted side they would approach by a raw unit, meet
+            // Their paths are rounded: along a slanted side they would approach by a raw unit, meet
             // at once, and wait.
             let apart = Vec2::from_raw(2 * axis.x.signum(), 2 * axis.y.signum());
             match yields {
-                Some(Masses::B_FIXED) => self.one.way.rate -= apart,
-                Some(_) => self.other.way.rate += apart,
+                Some(Masses::B_FIXED) => self.one.path.rate -= apart,
+                Some(_) => self.other.path.rate += apart,
                 None => {}
             }
         }
@@ -133,9 +133,9 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
     #[inline]
     fn choose_yielder(&mut self) -> Option<Masses> {
         let (axis, goes) = (self.met.axis, self.goes());
-        // One that was stopped on its way there cannot yield: it would meet what stopped it, and
+        // One that was stopped on its path cannot yield: it would meet what stopped it, and
         // the other again, until both wait.
-        let stopped = (self.one.way.stop.bars(axis.reversed()), self.other.way.stop.bars(axis));
+        let stopped = (self.one.path.stop.bars(axis.reversed()), self.other.path.stop.bars(axis));
         let first_yields = if stopped.0 == stopped.1 { self.top == Top::A } else { stopped.1 };
         let yields = match goes {
             (true, other_goes) if first_yields || !other_goes => Some(Masses::B_FIXED),
@@ -143,8 +143,8 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
             _ => None,
         };
         match yields {
-            Some(Masses::B_FIXED) if stopped.1 || !goes.1 => self.one.way.stop = Heading::of(axis),
-            Some(Masses::A_FIXED) if stopped.0 || !goes.0 => self.other.way.stop = Heading::of(axis.reversed()),
+            Some(Masses::B_FIXED) if stopped.1 || !goes.1 => self.one.path.stop = Heading::of(axis),
+            Some(Masses::A_FIXED) if stopped.0 || !goes.0 => self.other.path.stop = Heading::of(axis.reversed()),
             _ => {}
         }
         yields
@@ -155,10 +155,10 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
     pub(super) fn count_turns(&mut self) {
         let goes = self.goes();
         for (slot, goes_on) in [(&mut self.one, goes.1), (&mut self.other, goes.0)] {
-            if slot.way.pace == Pace::Swept && !(slot.way.waits() && goes_on) {
-                slot.way.turns += u8::from(slot.way.turns < TURNS);
-                if slot.way.waits() {
-                    slot.way.rate = self.together;
+            if slot.path.pace == Pace::Swept && !(slot.path.waits() && goes_on) {
+                slot.path.turns += u8::from(slot.path.turns < TURNS);
+                if slot.path.waits() {
+                    slot.path.rate = self.together;
                 }
             }
         }
@@ -166,6 +166,6 @@ impl<'m, S: BodyShape> TwoWays<'m, S> {
 
     /// Whether each of them may be led elsewhere.
     fn goes(&self) -> (bool, bool) {
-        (self.one.way.goes(), self.other.way.goes())
+        (self.one.path.goes(), self.other.path.goes())
     }
 }

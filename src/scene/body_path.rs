@@ -1,19 +1,19 @@
-//! The straight ways of a body in a step, and its drift since it rests.
+//! The straight paths of a body in a step, and its drift since it rests.
 
 use crate::broad::Handle;
 use crate::num::{Axis, DOMAIN, Raw, Toi, Vec2, mul_div};
 
-/// The way of a body in a step, once its velocity is known: straight ways only.
+/// The path of a body in a step, once its velocity is known: straight paths only.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct BodyWay {
+pub(super) struct BodyPath {
     /// The displacement of a whole step, in units. The body makes the part for the rest of the
     /// step.
     pub(super) rate: Vec2,
     /// The time at which it is at the position of its shape: the step's end, except for swept
     /// bodies.
     pub(super) since: Toi,
-    /// The end of this way, and its time.
-    pub(super) end: (Toi, WayEnd),
+    /// The end of this path, and its time.
+    pub(super) end: (Toi, PathEnd),
     /// The slots of the bodies that it has met in this step, and their number.
     pub(super) met: ([u16; 3], u8),
     /// How often it was turned; 1 for a body that lay on others and has made its step.
@@ -25,7 +25,7 @@ pub(super) struct BodyWay {
     pub(super) stop: Heading,
 }
 
-/// One of eight directions, or none, in a byte, so a way takes 32 bytes.
+/// One of eight directions, or none, in a byte, so a path takes 32 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Heading(i8);
 
@@ -45,10 +45,10 @@ impl Heading {
     }
 }
 
-/// How often a way may be turned in a step. Then the body waits for the next step, and moves along
+/// How often a path may be turned in a step. Then the body waits for the next step, and moves along
 /// with those that it meets. Between closing plates it would be turned for ever.
 ///
-/// The tests of scenes turned 322 000 ways. Of these, 91 % had their last turn by the fourth, 95 %
+/// The tests of scenes turned 322 000 paths. Of these, 91 % had their last turn by the fourth, 95 %
 /// by the eighth and 97 % ever.
 pub(super) const TURNS: u8 = 8;
 
@@ -65,9 +65,9 @@ pub(super) enum Pace {
     Swept,
 }
 
-/// The end of a straight way.
+/// The end of a straight path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum WayEnd {
+pub(super) enum PathEnd {
     Level,
     /// The body in this slot.
     Body(u16),
@@ -75,23 +75,24 @@ pub(super) enum WayEnd {
     Step,
 }
 
-impl BodyWay {
+impl BodyPath {
     pub(super) const REST: Self = Self::made(Vec2::ZERO);
 
-    /// The way of no body: all bits are zero.
-    pub(super) const BLANK: Self = Self { since: Toi::ZERO, end: (Toi::ZERO, WayEnd::Level), ..Self::made(Vec2::ZERO) };
+    /// The path of no body: all bits are zero.
+    pub(super) const BLANK: Self =
+        Self { since: Toi::ZERO, end: (Toi::ZERO, PathEnd::Level), ..Self::made(Vec2::ZERO) };
 
     /// It waits for those below.
     pub(super) fn lies(&self) -> bool {
         matches!(self.pace, Pace::Lies | Pace::Moved)
     }
 
-    /// A way that has been made.
+    /// A path that has been made.
     pub(super) const fn made(rate: Vec2) -> Self {
         Self {
             rate,
             since: Toi::ONE,
-            end: (Toi::ONE, WayEnd::Step),
+            end: (Toi::ONE, PathEnd::Step),
             met: ([0; 3], 0),
             turns: 0,
             pace: Pace::Slow,
@@ -107,7 +108,7 @@ impl BodyWay {
 
     /// Whether its body, `of`, looks again if the one in a slot has turned.
     pub(super) fn depends_on(&self, of: Handle, slot: u16) -> bool {
-        of.slot() == usize::from(slot) || self.end.1 == WayEnd::Body(slot)
+        of.slot() == usize::from(slot) || self.end.1 == PathEnd::Body(slot)
     }
 
     /// Continues from a time on with another velocity.
@@ -120,7 +121,7 @@ impl BodyWay {
         self.turns >= TURNS
     }
 
-    /// Whether it waits, and another way does not slow it down.
+    /// Whether it waits, and another path does not slow it down.
     pub(super) fn ignores(&self, other: &Self) -> bool {
         self.waits() && !other.goes() && self.rate.common(other.rate) == self.rate
     }
@@ -153,14 +154,14 @@ impl BodyWay {
     }
 }
 
-/// The longest displacement of a way.
+/// The longest displacement of a path.
 pub(super) fn size(v: Vec2) -> u32 {
     let Raw { x, y } = Raw::of(v);
     x.unsigned_abs().saturating_add(y.unsigned_abs())
 }
 
 /// The rate at which a displacement takes all that is left of the step from a time on, rounded
-/// toward zero. Nothing is left for one that is not a part of a way.
+/// toward zero. Nothing is left for one that is not a part of a path.
 pub(super) fn rate_of(by: Vec2, from: Toi) -> Vec2 {
     let left = Toi::ONE.raw().wrapping_sub(from.raw());
     let whole = |c: i32| {
