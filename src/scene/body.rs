@@ -208,8 +208,9 @@ pub(super) const NOBODY: u16 = u16::MAX;
 /// More than one slot.
 pub(super) const SEVERAL: u16 = u16::MAX - 1;
 
-/// No slot: at the end of the step, nothing holds the body.
-pub(super) const FLIES: u16 = u16::MAX - 2;
+/// No slot: the body does not fall asleep in this step. At its end nothing holds it, or it begins to
+/// touch another one.
+pub(super) const UNSETTLED: u16 = u16::MAX - 2;
 
 /// Nothing carries it.
 pub(super) const ALOFT: u8 = u8::MAX;

@@ -37,6 +37,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// # Errors
     /// [`Stale`](crate::broad::BroadError::Stale), or a velocity that no step can make. Nothing is
     /// changed then.
+    #[doc(alias("apply_impulse", "add_velocity", "kick"))]
     pub fn push(&mut self, handle: Handle, by: Vec2) -> Result<(), SceneError> {
         let velocity = self.body(handle)?.velocity;
         self.set_velocity(handle, velocity.saturating_add(by))

@@ -4,7 +4,7 @@
 //! at their new positions. Its velocity meets that of the carrier of all. So support reaches the
 //! whole pile within a step, and a pile on a moving carrier behaves as at rest.
 
-use super::body::{ALOFT, FLIES, Mode, Slot};
+use super::body::{ALOFT, Mode, Slot, UNSETTLED};
 use super::body_path::{Drift, Pace, size};
 use super::kept_out::Before;
 use super::kernel::BodyShape;
@@ -266,7 +266,7 @@ impl<S: BodyShape> Slot<S> {
     /// The values of [`quiet_and_drift`](Self::quiet_and_drift) before its motion in this step. Its
     /// rest ended if it has none now.
     fn quiet_before(&self, by: Vec2) -> (u8, Drift) {
-        let counted = u8::from(self.tally.under != FLIES);
+        let counted = u8::from(self.tally.under != UNSETTLED);
         if self.quiet == 0 { (0, Drift::NONE) } else { (self.quiet - counted, self.tally.drift.minus(by)) }
     }
 

@@ -3,7 +3,7 @@
 //! A fast body stops where it meets another one, rounded back by less than a raw unit. There it
 //! rests. A body that moves after those below it, on a slanted or round one, rests likewise.
 
-use super::body::{FLIES, Slot};
+use super::body::{Slot, UNSETTLED};
 use super::kernel::BodyShape;
 use super::meeting_time::{around, may_meet, pair, senses};
 use super::pairs::join;
@@ -82,7 +82,7 @@ pub(super) fn join_leaning<S: BodyShape>(
                 join(slots, pair);
             }
         } else if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| reply != Reply::Ignore) {
-            slot.tally.under = FLIES;
+            slot.tally.under = UNSETTLED;
         }
     });
 }

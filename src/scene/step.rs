@@ -1,6 +1,6 @@
 //! One step of a scene.
 
-use super::body::{FLIES, Mode, NOBODY, Slot, Tally};
+use super::body::{Mode, NOBODY, Slot, Tally, UNSETTLED};
 use super::body_path::{BodyPath, Pace};
 use super::change::add_to_awake;
 use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
@@ -382,7 +382,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             }
         }
         for handle in &*awake {
-            let quiet = |slot: &Slot<S>| if slot.tally.under == FLIES { 0 } else { slot.quiet };
+            let quiet = |slot: &Slot<S>| if slot.tally.under == UNSETTLED { 0 } else { slot.quiet };
             let Some(quiet) = slots.get(handle.slot()).map(quiet) else { continue };
             let root = root(slots, handle.slot() as u16);
             if let Some(slot) = slots.get_mut(usize::from(root)) {

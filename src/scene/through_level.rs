@@ -1,7 +1,7 @@
 //! The motion of one body through the level.
 
 use super::blocked_sides::blocked_sides;
-use super::body::{ALOFT, FLIES, Mode, NOBODY, Slot, Tally};
+use super::body::{ALOFT, Mode, NOBODY, Slot, Tally, UNSETTLED};
 use super::body_path::{BodyPath, Drift, Pace, size};
 use super::kernel::{BodyShape, Visit};
 use super::level_of_body::{Sliding, View, sliding};
@@ -324,10 +324,10 @@ impl<V> Trip<'_, V> {
         // Gravity comes before a body wakes, so one that has not moved since runs into nothing.
         let lies_on = slot.mode == Mode::Woken && by == Vec2::ZERO && slot.support != ALOFT;
         let support = if lies_on { slot.support } else { support };
-        let held = !free || lies_on || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | FLIES);
+        let held = !free || lies_on || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | UNSETTLED);
         let flies = weight != Vec2::ZERO && !held;
-        if matches!(under, NOBODY | FLIES) {
-            slot.tally.under = if flies { FLIES } else { NOBODY };
+        if matches!(under, NOBODY | UNSETTLED) {
+            slot.tally.under = if flies { UNSETTLED } else { NOBODY };
         }
         // A ball that two others hold rises at one by less than gravity, falls back to the other,
         // and so on for ever.
