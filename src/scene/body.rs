@@ -208,8 +208,8 @@ pub(super) const NOBODY: u16 = u16::MAX;
 /// More than one slot.
 pub(super) const SEVERAL: u16 = u16::MAX - 1;
 
-/// No slot: the body does not fall asleep in this step. At its end nothing holds it, or it begins to
-/// touch another one.
+/// No slot: the body does not fall asleep in this step. At its end nothing holds it, or it begins
+/// to touch another one.
 pub(super) const UNSETTLED: u16 = u16::MAX - 2;
 
 /// Nothing carries it.

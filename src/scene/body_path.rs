@@ -14,8 +14,12 @@ pub(super) struct BodyPath {
     pub(super) since: Toi,
     /// The end of this path, and its time.
     pub(super) end: (Toi, PathEnd),
-    /// The slots of the bodies that it has met in this step, and their number.
-    pub(super) met: ([u16; 3], u8),
+    /// The slots of the bodies that it has met in this step.
+    pub(super) met: [u16; 3],
+    /// Their number.
+    pub(super) met_count: u8,
+    /// Others lead it: it does not move with its own velocity.
+    pub(super) led: bool,
     /// How often it was turned; 1 for a body that lay on others and has made its step.
     pub(super) turns: u8,
     pub(super) pace: Pace,
@@ -61,8 +65,11 @@ pub(super) enum Pace {
     Lies,
     /// It has moved, and a body below was pushed into it.
     Moved,
-    /// It moves from one hit to the next.
+    /// It is fast: it moves from one hit to the next.
     Swept,
+    /// It is slow, but runs into a fast body: it moves from one hit to the next, too. It does not
+    /// meet other slow bodies on its path.
+    Cut,
 }
 
 /// The end of a straight path.
@@ -82,6 +89,11 @@ impl BodyPath {
     pub(super) const BLANK: Self =
         Self { since: Toi::ZERO, end: (Toi::ZERO, PathEnd::Level), ..Self::made(Vec2::ZERO) };
 
+    /// It moves from one hit to the next.
+    pub(super) fn is_swept(&self) -> bool {
+        matches!(self.pace, Pace::Swept | Pace::Cut)
+    }
+
     /// It waits for those below.
     pub(super) fn lies(&self) -> bool {
         matches!(self.pace, Pace::Lies | Pace::Moved)
@@ -93,7 +105,9 @@ impl BodyPath {
             rate,
             since: Toi::ONE,
             end: (Toi::ONE, PathEnd::Step),
-            met: ([0; 3], 0),
+            met: [0; 3],
+            met_count: 0,
+            led: false,
             turns: 0,
             pace: Pace::Slow,
             aloft: false,
@@ -111,9 +125,14 @@ impl BodyPath {
         of.slot() == usize::from(slot) || self.end.1 == PathEnd::Body(slot)
     }
 
-    /// Continues from a time on with another velocity.
-    pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2) {
-        (self.since, self.rate) = (time, velocity);
+    /// Whether it has met another body in this step.
+    pub(super) fn has_met_any(&self) -> bool {
+        self.met_count != 0
+    }
+
+    /// Continues from a time on with another velocity, its own or that of others.
+    pub(super) fn go_on(&mut self, time: Toi, velocity: Vec2, led: bool) {
+        (self.since, self.rate, self.led) = (time, velocity, led);
     }
 
     /// Whether it is not turned any more in this step, only slowed down to the motion of others.
@@ -135,21 +154,20 @@ impl BodyPath {
 
     /// Whether it may be led elsewhere.
     pub(super) fn goes(&self) -> bool {
-        self.pace == Pace::Swept && !self.waits()
+        self.is_swept() && !self.waits()
     }
 
     /// Whether two have met in this step already, or one of them has met so many that it cannot
     /// know.
     pub(super) fn has_met(&self, other: Handle) -> bool {
-        let (slots, count) = &self.met;
-        let known = slots.iter().take((*count).into());
-        usize::from(*count) >= slots.len() || known.into_iter().any(|&slot| usize::from(slot) == other.slot())
+        let known = self.met.iter().take(self.met_count.into());
+        usize::from(self.met_count) >= self.met.len()
+            || known.into_iter().any(|&slot| usize::from(slot) == other.slot())
     }
 
     pub(super) fn note(&mut self, other: Handle) {
-        let (slots, count) = &mut self.met;
-        if let Some(place) = slots.get_mut(usize::from(*count)) {
-            (*place, *count) = (other.slot() as u16, *count + 1);
+        if let Some(place) = self.met.get_mut(usize::from(self.met_count)) {
+            (*place, self.met_count) = (other.slot() as u16, self.met_count + 1);
         }
     }
 }

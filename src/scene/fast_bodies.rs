@@ -11,10 +11,10 @@ use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, NOBODY, Slot};
 use super::body_path::{BodyPath, Heading, Pace, PathEnd, TURNS, later, rate_of, size};
 use super::change::add_to_awake;
-use super::idle::{reach_of, stop_idling};
+use super::idle::stop_idling;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
-use super::meeting_time::{Encounter, FirstEnd, around, each_near, may_meet, pair, reach, senses, stops};
+use super::meeting_time::{Encounter, FirstEnd, each_near, may_meet, senses, stops};
 use super::memory::Remembered;
 use super::reply::{Replies, Reply};
 use super::through_level::{Touched, Trip, hold_in_place};
@@ -27,37 +27,6 @@ use crate::num::{Toi, Vec2};
 use crate::query::Touches;
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: BodyShape> Scene<B, N, M, S> {
-    /// Releases bodies without others in reach, to which only the level matters. Also those that
-    /// the level holds, if no other is in reach before a third body turns it: others meet them at
-    /// their positions.
-    #[inline(never)]
-    pub(super) fn release_unreachable<V: View<S>>(&mut self, trip: &Trip<'_, V>, replies: &mut impl Replies) {
-        let Self { near, slots, memory, .. } = self;
-        let movers = self.awake.get(..self.count).unwrap_or_default();
-        let widest = movers
-            .iter()
-            .filter_map(|handle| Some(reach_of(memory, slots.get(handle.slot())?, handle.slot())))
-            .max()
-            .unwrap_or(0);
-        for &handle in movers {
-            let Some(slot) = slots.get(handle.slot()).filter(|slot| slot.path.pace == Pace::Swept) else { continue };
-            let (mut alone, mut apart) = (true, true);
-            let (bounds, far) = (slot.body.shape.aabb(), reach(slot));
-            near.in_region(&around(&bounds, far.saturating_add(widest)), |other| {
-                let found = slots.get(other.slot()).filter(|at| apart && other != handle && may_meet(slot, at));
-                let acts = |at: &&Slot<S>| replies.to(pair((handle, slot), (other, at))) != Reply::Ignore;
-                if let Some(at) = found.filter(acts) {
-                    let both = far.saturating_add(reach_of(memory, at, other.slot()));
-                    (alone, apart) = (false, !around(&bounds, both).touches(&at.body.shape.aabb()));
-                }
-            });
-            let stays = alone || (apart && trip.stays(slot));
-            if let Some(slot) = slots.get_mut(handle.slot()).filter(|_| stays) {
-                slot.path.pace = Pace::Slow;
-            }
-        }
-    }
-
     /// Moves the fast bodies. Returns whether one has been quiet for long enough. A separate
     /// function: most steps need neither its registers nor its stack.
     #[inline(never)]
@@ -132,10 +101,10 @@ where
     fn launch(&mut self) {
         for handle in self.movers {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if slot.path.pace == Pace::Swept {
+            if slot.path.is_swept() {
                 slot.body.velocity += slot.tally.kick;
-                let rate = slot.body.velocity + slot.tally.push();
-                slot.path = BodyPath { pace: Pace::Swept, since: Toi::ZERO, aloft: true, ..BodyPath::made(rate) };
+                let (pace, rate) = (slot.path.pace, slot.body.velocity + slot.tally.push());
+                slot.path = BodyPath { pace, since: Toi::ZERO, aloft: true, ..BodyPath::made(rate) };
                 self.stepped.moved += 1;
             } else {
                 self.margin = self.margin.max(size(slot.path.rate));
@@ -147,7 +116,7 @@ where
     /// The body with the earliest end. At one time the level's end is first, then the pair with the
     /// smaller keys, then slots.
     fn earliest(&self) -> Option<Handle> {
-        let swept = |handle: &&Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.path.pace == Pace::Swept);
+        let swept = |handle: &&Handle| self.slots.get(handle.slot()).is_some_and(|slot| slot.path.is_swept());
         self.movers.iter().filter(swept).copied().min_by_key(|handle| {
             let rank = |at: usize| (self.slots.get(at).map_or(0, |slot| slot.body.key), at);
             let mine = rank(handle.slot());
@@ -178,7 +147,7 @@ where
     fn find_ends(&mut self, turned: Option<[u16; 2]>) {
         for &handle in self.movers {
             let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
-            if slot.path.pace != Pace::Swept || slot.path.is_held() {
+            if !slot.path.is_swept() || slot.path.is_held() {
                 continue;
             }
             let end = match turned {
@@ -222,7 +191,7 @@ where
         let (mut first, passed) = (FirstEnd::known(self.slots, slot.path.end), slot.passed());
         for other in turned {
             let other = usize::from(other);
-            let near = |at: &&Slot<S>| at.path.pace == Pace::Swept && stops(slot, at) && at.passed().touches(&passed);
+            let near = |at: &&Slot<S>| at.path.is_swept() && stops(slot, at) && at.passed().touches(&passed);
             if let Some(at) = self.slots.get(other).filter(near) {
                 first.meet((handle, slot), (Handle::new(other, at.generation), at), self.replies);
             }
@@ -275,9 +244,10 @@ where
             if leads_itself {
                 slot.body.velocity = rate_of(velocity, time);
             }
-            slot.path.go_on(time, rate_of(by, time));
+            slot.path.go_on(time, rate_of(by, time), !leads_itself);
         } else {
-            slot.path.go_on(time, if slot.path.waits() { Vec2::ZERO } else { slot.body.velocity + push });
+            let waits = slot.path.waits();
+            slot.path.go_on(time, if waits { Vec2::ZERO } else { slot.body.velocity + push }, waits);
         }
         let at = handle.slot() as u16;
         self.look_again(Some([at, at]));
@@ -291,7 +261,7 @@ where
         let (one, two) = ((handle, *slot), (Handle::new(with.into(), other.generation), *other));
         if let Some(met) = Encounter::of((one.0, &one.1), (two.0, &two.1)) {
             for (at, slot) in [&one, &two] {
-                if slot.path.pace == Pace::Swept {
+                if slot.path.is_swept() {
                     self.report_sensors(*at, slot, met.time);
                 }
             }
@@ -326,7 +296,7 @@ where
     /// position is rounded: a body on a floor might lead into it.
     fn place_at_meeting(&mut self, met: &Encounter) {
         for (at, place) in [(met.pair.a, met.place_a), (met.pair.b, met.place_b)] {
-            let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.path.pace == Pace::Swept) else {
+            let Some(slot) = self.slots.get_mut(at.slot()).filter(|slot| slot.path.is_swept()) else {
                 continue;
             };
             if let Ok(shape) = self.trip.slide(at, &slot.body, place - slot.body.shape.position()) {
@@ -359,7 +329,11 @@ where
     #[inline(never)]
     fn report_sensors(&mut self, handle: Handle, slot: &Slot<S>, until: Toi) {
         let (each, replies) = (&mut *self.each, &mut *self.replies);
-        let counts = |one: &Slot<S>, other: &Slot<S>| may_meet(one, other) && (R::CROSSES || senses(one, other));
+        // The next step reports two slow bodies that touch.
+        let fast = |slot: &Slot<S>| slot.path.pace == Pace::Swept;
+        let counts = |one: &Slot<S>, other: &Slot<S>| {
+            (fast(one) || fast(other)) && may_meet(one, other) && (R::CROSSES || senses(one, other))
+        };
         each_near(self.near, self.slots, (self.movers, self.margin), handle, counts, |other, at| {
             let sensor = senses(slot, at);
             let met = Encounter::of((handle, slot), (other, at)).filter(|met| met.begins && met.time < until);
@@ -374,7 +348,7 @@ where
     /// Only the step ends its path.
     #[inline(never)]
     fn finish(&mut self, handle: Handle) {
-        let swept = |slot: &&Slot<S>| slot.path.pace == Pace::Swept;
+        let swept = |slot: &&Slot<S>| slot.path.is_swept();
         let Some(slot) = self.slots.get(handle.slot()).filter(swept).copied() else { return };
         self.report_sensors(handle, &slot, Toi::ONE);
         let Some(slot) = self.slots.get_mut(handle.slot()) else { return };
@@ -390,6 +364,9 @@ where
         let by = self.near.bounds(handle).map_or(Vec2::ZERO, |from| bounds.min() - from.min());
         slot.block(blocked_sides(slot.tally.push(), by), by);
         slot.path.rate = by;
+        if slot.path.led || slot.path.waits() {
+            slot.body.velocity = self.trip.kept_waiting(slot.body.velocity, by);
+        }
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
             Err(fault) => {

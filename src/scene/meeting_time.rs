@@ -29,7 +29,7 @@ impl Encounter {
     pub(super) fn of<S: BodyShape>(one: (Handle, &Slot<S>), other: (Handle, &Slot<S>)) -> Option<Self> {
         let pair = pair(one, other);
         let (a, b) = if pair.a == one.0 { (one.1, other.1) } else { (other.1, one.1) };
-        let swept = |slot: &Slot<S>| slot.path.pace == Pace::Swept;
+        let swept = |slot: &Slot<S>| slot.path.is_swept();
         let from = match (swept(a), swept(b)) {
             (true, true) => a.path.since.max(b.path.since),
             (true, false) => a.path.since,
@@ -140,7 +140,7 @@ pub(super) fn each_near<B: BroadPhase, S: BodyShape>(
 ) {
     let Some(slot) = slots.get(handle.slot()) else { return };
     let may = |other: Handle, swept: bool| {
-        let found = slots.get(other.slot()).filter(|at| (at.path.pace == Pace::Swept) == swept);
+        let found = slots.get(other.slot()).filter(|at| at.path.is_swept() == swept);
         found.filter(|at| other != handle && counts(slot, at))
     };
     let passed = slot.passed();
@@ -167,7 +167,8 @@ pub(super) const fn senses<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
 
 /// Whether another body may end the path of one.
 pub(super) fn stops<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
-    may_meet(one, other) && !one.path.ignores(&other.path) && !senses(one, other)
+    let counts = |slot: &Slot<S>| slot.path.pace == Pace::Swept || slot.mode == Mode::Fixed;
+    may_meet(one, other) && (counts(one) || counts(other)) && !one.path.ignores(&other.path) && !senses(one, other)
 }
 
 /// Two bodies in canonical order.

@@ -397,6 +397,7 @@ mod snapshot;
 mod step;
 #[cfg(feature = "serde")]
 mod stored;
+mod swept_bodies;
 mod through_both;
 mod through_level;
 mod two_paths;

@@ -1,7 +1,7 @@
 //! Two bodies that meet on their paths: their velocities, who lies on whom, and who yields.
 
 use super::body::{ALOFT, NOBODY, Slot};
-use super::body_path::{Heading, Pace, TURNS};
+use super::body_path::{Heading, TURNS};
 use super::kernel::BodyShape;
 use super::meeting_time::Encounter;
 use super::pairs::both;
@@ -12,10 +12,10 @@ use crate::motion::response::exchange;
 use crate::motion::{Masses, Surface};
 use crate::num::Vec2;
 
-/// What moves a body beside its velocity: its push, until it meets another body. From then on,
-/// others may lead it.
+/// What moves a body beside its velocity: its push, until it meets another body or another one
+/// leads it.
 pub(super) fn pushed<S>(slot: &Slot<S>) -> Vec2 {
-    if slot.path.met.1 == 0 { slot.path.rate - slot.body.velocity } else { Vec2::ZERO }
+    if slot.path.led || slot.path.has_met_any() { Vec2::ZERO } else { slot.path.rate - slot.body.velocity }
 }
 
 /// A body comes to lie on one that something carries in this step.
@@ -77,8 +77,8 @@ impl<'m, S: BodyShape> TwoPaths<'m, S> {
         self.top = Top::of(self.met.axis, toward(gravity));
         let (a, b) = (self.met.pair.a, self.met.pair.b);
         match self.top {
-            Top::A if self.one.path.pace == Pace::Swept => settle_on(slots, &mut self.one, &self.other, b),
-            Top::B if self.other.path.pace == Pace::Swept => settle_on(slots, &mut self.other, &self.one, a),
+            Top::A if self.one.path.is_swept() => settle_on(slots, &mut self.one, &self.other, b),
+            Top::B if self.other.path.is_swept() => settle_on(slots, &mut self.other, &self.one, a),
             _ => {}
         }
     }
@@ -88,13 +88,14 @@ impl<'m, S: BodyShape> TwoPaths<'m, S> {
     pub(super) fn go_on(&mut self) {
         let (a, b) = (self.met.pair.a, self.met.pair.b);
         for (slot, with, push) in [(&mut self.one, b, self.pushes.0), (&mut self.other, a, self.pushes.1)] {
-            if slot.path.pace == Pace::Swept {
+            if slot.path.is_swept() {
                 if !self.again {
                     slot.path.note(with);
                 }
                 // A body that it has already met leads it, with its own velocity.
-                let rate = if self.again || slot.path.waits() { slot.path.rate } else { slot.body.velocity + push };
-                slot.path.go_on(self.met.time, rate);
+                let led = self.again || slot.path.waits();
+                let rate = if led { slot.path.rate } else { slot.body.velocity + push };
+                slot.path.go_on(self.met.time, rate, led);
             }
         }
     }
@@ -155,7 +156,7 @@ impl<'m, S: BodyShape> TwoPaths<'m, S> {
     pub(super) fn count_turns(&mut self) {
         let goes = self.goes();
         for (slot, goes_on) in [(&mut self.one, goes.1), (&mut self.other, goes.0)] {
-            if slot.path.pace == Pace::Swept && !(slot.path.waits() && goes_on) {
+            if slot.path.is_swept() && !(slot.path.waits() && goes_on) {
                 slot.path.turns += u8::from(slot.path.turns < TURNS);
                 if slot.path.waits() {
                     slot.path.rate = self.together;

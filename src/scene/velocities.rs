@@ -94,11 +94,13 @@ impl Meeting {
     ) -> Option<Self> {
         let own = Self::of(a, b, (axis, reply), gravity)?;
         let slick = own.surface.friction() == Ratio::ZERO && !own.sticks;
+        let swept = a.path.is_swept() || b.path.is_swept();
+        let passes = slick && (!swept || axis.perp_dot(toward(gravity)) == 0);
         Some(match Top::of(axis, toward(gravity)) {
-            Top::A if own.moves_a && carries(slots, (b, a), gravity, slick) => {
+            Top::A if own.moves_a && carries(slots, (b, a), gravity, passes) => {
                 Self::onto(slots, b, a, (axis.reversed(), reply), gravity).swapped()
             }
-            Top::B if own.moves_b && carries(slots, (a, b), gravity, slick) => {
+            Top::B if own.moves_b && carries(slots, (a, b), gravity, passes) => {
                 Self::onto(slots, a, b, (axis, reply), gravity)
             }
             _ => own,
@@ -155,10 +157,13 @@ impl Meeting {
 /// and the push goes into the ground. If it yielded, a pile would sink into itself.
 ///
 /// False if the momentum of the two rises from the ground. A light body that bounces under a heavy
-/// one does not: if it yielded each time, the two would never rest. With friction, also false if it
-/// moves sideways on the carrier by more than gravity adds in a step. It then drags the one on top
-/// along.
-fn carries<S: BodyShape>(slots: &[Slot<S>], (lower, upper): (&Slot<S>, &Slot<S>), gravity: Vec2, slick: bool) -> bool {
+/// one does not: if it yielded each time, the two would never rest.
+///
+/// Unless it `passes` below the other one, also false if it moves sideways on the carrier by more
+/// than gravity adds in a step. With friction, it drags the one on top along. Where a swept body
+/// runs under a slanted side, it pushes the other one up. Slow bodies that overlap there part by
+/// their pushes: if they lost velocity as well, nothing could push a heap aside.
+fn carries<S: BodyShape>(slots: &[Slot<S>], (lower, upper): (&Slot<S>, &Slot<S>), gravity: Vec2, passes: bool) -> bool {
     if lower.support == ALOFT {
         return false;
     }
@@ -168,7 +173,7 @@ fn carries<S: BodyShape>(slots: &[Slot<S>], (lower, upper): (&Slot<S>, &Slot<S>)
     let momentum =
         |v: Vec2, slot: &Slot<S>| (gravity.dot(v) >> 5) * i64::from(slot.body.mass.map_or(0, NonZeroU8::get));
     let sinks = momentum(v, lower) + momentum(upper.body.velocity - ground, upper) >= 0;
-    sinks && (slick || gravity.perp_dot(v).unsigned_abs() <= gravity.length_squared())
+    sinks && (passes || gravity.perp_dot(v).unsigned_abs() <= gravity.length_squared())
 }
 
 /// How many bodies are between a body on top and the carrier of all, if the one below it has

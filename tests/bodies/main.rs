@@ -9,6 +9,7 @@ mod broad_removals;
 mod crates_in_rows;
 mod fast_curves;
 mod fast_overlaps;
+mod fast_pressed;
 mod filters;
 mod hanging;
 mod heaps;

@@ -1,0 +1,130 @@
+//! Fast bodies that others press: wedged ones store no speed, and slow ones that run into them
+//! count by their masses.
+
+use super::steps::{Swept, step_with};
+use core::num::NonZeroU8;
+use tilesat::broad::SortSweep;
+use tilesat::prelude::*;
+use tilesat::scene::{Reply, SceneBody, Shape};
+use tilesat::{Aabb, Circle, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat_judge::Random;
+
+static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+
+fn step(scene: &mut Swept, level: &TileMap<'_>, gravity: Fx) {
+    step_with(scene, level, Vec2::new(Fx::ZERO, gravity), &mut |_| Reply::Meet, &mut |_| ()).unwrap();
+}
+
+fn ball(x: Fx, y: Fx, radius: Fx) -> Circle {
+    Circle::new(Vec2::new(x, y), radius).unwrap()
+}
+
+/// The largest component of the velocities.
+fn fastest(scene: &Swept) -> Fx {
+    let of = |velocity: Vec2| velocity.x.abs().max(velocity.y.abs());
+    scene.bodies().map(|(_, body)| of(body.velocity)).max().unwrap_or(Fx::ZERO)
+}
+
+/// A bin of this many tiles, whose floor is at y = 640.
+fn bin(wide: usize) -> String {
+    format!("#{}#\n", ".".repeat(wide)).repeat(40) + &"#".repeat(wide + 2)
+}
+
+/// Balls and boxes fall into a bin. Before, those wedged between others and a wall kept all that
+/// gravity added, 0.25 in each step, in 39 of 40 bins of three tiles.
+#[test]
+fn wedged_bodies_store_no_speed() {
+    let mut random = Random::new(41);
+    for trial in 0..48 {
+        let wide = [2, 3, 6][trial % 3];
+        let text = bin(wide);
+        let level = TileMap::from_ascii(&text, &KINDS).unwrap();
+        let surface = Surface::new(Ratio::ZERO, Ratio::percent([0, 30][trial / 3 % 2]).unwrap());
+        let mut scene = Swept::new(SortSweep::new());
+        for key in 0..12 {
+            let size = random.within(3, 8);
+            let x = Fx::from_num(random.within(16 + size, 16 + 16 * wide as i64 - size));
+            let (y, size) = (fx!(600) - fx!(20) * key, Fx::from_num(size));
+            let flat = Vec2::new(size, Fx::from_num(random.within(3, 7)));
+            let shape: Shape = if trial % 2 == 0 || key % 2 == 0 {
+                ball(x, y, size).into()
+            } else {
+                Aabb::from_centre(Vec2::new(x, y), flat).unwrap().into()
+            };
+            scene.insert(&SceneBody { fast: true, surface, ..SceneBody::new(shape, key as u32) }).unwrap();
+        }
+        for frame in 0..1200 {
+            step(&mut scene, &level, fx!(0.25));
+            assert!(frame < 600 || fastest(&scene) < 1, "{trial}, {frame}: {}", fastest(&scene));
+        }
+    }
+}
+
+/// A ball hangs between a wall and a box that slides into it. When the box goes, the ball falls as
+/// from rest.
+#[test]
+fn what_was_wedged_falls_as_from_rest() {
+    let text = bin(2);
+    let level = TileMap::from_ascii(&text, &KINDS).unwrap();
+    for fast in [false, true] {
+        let mut scene = Swept::new(SortSweep::new());
+        let post = Aabb::from_size(Vec2::from_ints(26, 560), Vec2::from_ints(22, 80)).unwrap();
+        let post = scene.insert(&SceneBody::fixed(post, 1)).unwrap();
+        let kept = scene.insert(&SceneBody { fast, ..SceneBody::new(ball(fx!(24), fx!(540), fx!(7)), 2) }).unwrap();
+        for _ in 0..400 {
+            step(&mut scene, &level, fx!(0.25));
+        }
+        let (place, velocity) = (scene.body(kept).unwrap().shape.position(), scene.body(kept).unwrap().velocity);
+        assert!(place.y < 560 && velocity.y.abs() < 1, "{fast}: {place} {velocity}");
+        scene.remove(post).unwrap();
+        scene.wake(kept).unwrap();
+        step(&mut scene, &level, fx!(0.25));
+        assert!(scene.body(kept).unwrap().velocity.y < velocity.y + fx!(0.5));
+    }
+}
+
+/// A hero stands, and slow walkers run into it from one side. Their momentum is all that it gets.
+#[test]
+fn a_slow_body_pushes_a_fast_one_by_its_mass() {
+    let text = "#".repeat(60) + "\n" + &format!("#{}#\n", ".".repeat(58)).repeat(10) + &"#".repeat(60);
+    let level = TileMap::from_ascii(&text, &KINDS).unwrap();
+    for (mass, count) in [(255, 1), (255, 3), (255, 8), (20, 1), (20, 8), (1, 1)] {
+        for (speed, gravity) in [(fx!(0.75), fx!(0)), (fx!(1.5), fx!(0)), (fx!(0.75), fx!(0.25))] {
+            let floor = if gravity > 0 { fx!(171) } else { fx!(96) };
+            let body = |shape: Shape, key| SceneBody::new(shape, key);
+            let mut scene = Swept::new(SortSweep::new());
+            let hero = Aabb::from_centre(Vec2::new(fx!(400), floor - fx!(1)), Vec2::from_ints(6, 6)).unwrap();
+            let hero = SceneBody { fast: true, mass: NonZeroU8::new(mass), ..body(hero.into(), 1) };
+            let hero = scene.insert(&hero).unwrap();
+            let walkers: Vec<_> = (0..count)
+                .map(|k: i32| {
+                    let at = Vec2::new(fx!(370) - fx!(11) * (k / 3), floor + fx!(11) * (k % 3 - i32::from(count > 1)));
+                    let at = if gravity > 0 { Vec2::new(fx!(380) - fx!(11) * k, floor) } else { at };
+                    scene.insert(&body(ball(at.x, at.y, fx!(5)).into(), 2 + k as u32)).unwrap()
+                })
+                .collect();
+            for _ in 0..400 {
+                let down = scene.body(hero).unwrap().velocity.y;
+                scene.set_velocity(hero, Vec2::new(Fx::ZERO, down)).unwrap();
+                for &walker in &walkers {
+                    let Shape::Circle(at) = scene.body(walker).unwrap().shape else { continue };
+                    let down = if gravity > 0 { scene.body(walker).unwrap().velocity.y } else { Fx::ZERO };
+                    let toward =
+                        if at.centre().x < scene.body(hero).unwrap().shape.aabb().max().x { speed } else { Fx::ZERO };
+                    scene.set_velocity(walker, Vec2::new(toward, down)).unwrap();
+                }
+                step(&mut scene, &level, gravity);
+                let place = scene.body(hero).unwrap().shape;
+                for &walker in &walkers {
+                    let other = scene.body(walker).unwrap().shape;
+                    let deep = place.contact(&other).map_or(Fx::ZERO, |contact| contact.depth());
+                    assert!(deep <= speed, "mass {mass}, {count} at {speed}: a walker is in the hero by {deep}");
+                }
+            }
+            let far = scene.body(hero).unwrap().shape.aabb().centre().x - fx!(400);
+            // All of them at each step, as one inelastic body.
+            let most = speed * 400 * count / (i32::from(mass) + count) + speed;
+            assert!(far >= 0 && far <= most, "mass {mass}, {count} at {speed}, gravity {gravity}: {far}");
+        }
+    }
+}
