@@ -49,7 +49,7 @@
 //! | a level of polygons, walls, one-way chains | [`SegmentMap`], built by the compiler with [`segment_map!`] |
 //! | two levels as one | [`Joined`] |
 //! | which of many bodies are close to each other | a [`BroadPhase`](broad::BroadPhase) |
-//! | level, broad phase and bodies in one call per frame; about 79 KB of flash | [`Scene`] |
+//! | level, broad phase and bodies in one call per frame; it takes the most [flash](Scene) | [`Scene`] |
 //! | overlaps, contacts, casts and rays of shapes | [`prelude`], [`query`] |
 //!
 //! # Conventions
