@@ -1,6 +1,6 @@
 //! The tables in the documents, and the text about who is better in which class.
 
-use crate::question::{Question, cheapest, is_library, is_right};
+use crate::question::{self, Question, cheapest, is_library, is_right};
 use crate::record::Row;
 use crate::tables::{short, wrapped};
 use std::fmt::Write;
@@ -65,7 +65,13 @@ pub fn readme_table(rows: &[Row]) -> String {
         let m0 = on_m0(rows, question, class, ["tilesat", "textbook f32", "textbook f64"]).map(|cell| grouped(&cell));
         let _ = writeln!(out, "| {name} | {ours} | {f64} | {f32} | {} |", m0.join(", "));
     }
-    out + "<!-- exact:end -->\n"
+    let [instructions, time] = ["host", "ns"].map(|column| cheaper(&shares(rows, column, "textbook f64", is_pair)));
+    let on_m4f = cheaper(&shares(rows, "m4f", "textbook f32", |_| true));
+    let text = format!(
+        "On a desktop, textbook `f64` takes fewer instructions than tilesat in {instructions} of pairs, and less time in {time}. \
+         On a Cortex-M4F, whose FPU computes `f32`, textbook `f32` takes fewer instructions in {on_m4f} of all queries."
+    );
+    format!("{out}\n{}\n<!-- exact:end -->\n", wrapped(&text, 100))
 }
 
 /// Groups the digits of a whole number from five on.
@@ -113,7 +119,7 @@ fn line(out: &mut String, rows: &[Row], question: Question<'_>, class: &str) {
     let library = here(|r| is_library(r.backend()) && is_right(r));
     let any = here(|r| r.backend() != "tilesat");
     let m0 = on_m0(rows, question, class, ["tilesat", "textbook f32", "textbook f64"]);
-    let name = if crate::question::is_move(question.workload) {
+    let name = if is_move(question) {
         format!("{}, {}", question.workload, class.split(' ').next().unwrap_or_default())
     } else if question.asked == "pairs" {
         format!("{}, {class}", question.workload)
@@ -136,7 +142,7 @@ fn line(out: &mut String, rows: &[Row], question: Question<'_>, class: &str) {
 fn floats(rows: &[Row]) -> String {
     // The workloads that fail in the same classes, and the greatest error rate.
     let mut wrong: Vec<(String, Vec<&str>, f64)> = Vec::new();
-    let (mut right, mut exact, mut cheaper) = (Vec::new(), 0, 0);
+    let (mut right, mut exact, mut won) = (Vec::new(), 0, 0);
     for question in Question::all(rows).into_iter().filter(|q| q.asked != "distance") {
         let (mut failing, mut asked, mut most) = (Vec::new(), 0, 0.0_f64);
         for class in question.classes(rows) {
@@ -145,7 +151,7 @@ fn floats(rows: &[Row]) -> String {
             asked += 1;
             if is_right(theirs) {
                 exact += 1;
-                cheaper += u32::from(theirs.get("host") < ours.get("host"));
+                won += u32::from(theirs.get("host") < ours.get("host"));
             } else if let Some(n) = theirs.wrong_per_million() {
                 failing.push(class);
                 most = most.max(n);
@@ -174,21 +180,38 @@ fn floats(rows: &[Row]) -> String {
         let row = boxes.best(rows, "box up to 4 px", |r| r.backend() == backend);
         row.and_then(|r| r.get("host")).map_or_else(|| "-".to_owned(), short)
     });
-    let m0 = ["textbook f64", "textbook f32", "naive Q16.16"].map(|backend| cheaper_on(rows, "m0", backend));
+    let m0 = ["textbook f64", "textbook f32", "naive Q16.16"].map(|it| cheaper(&shares(rows, "m0", it, |_| true)));
+    let m4f = cheaper(&shares(rows, "m4f", "textbook f32", |_| true));
+    let [instructions, time] = ["host", "ns"].map(|column| cheaper(&shares(rows, column, "textbook f64", is_pair)));
+    let of = |which: fn(Question<'_>) -> bool| shares(rows, "host", "textbook f64", which);
+    let [overlaps, contacts, moves] = [
+        of(|q| is_pair(q) && q.asked == "overlaps"),
+        of(|q| is_pair(q) && q.asked == "contact"),
+        of(is_move),
+    ];
+    let [least, most] = [moves.first(), moves.last()].map(|share| decimals(share.copied()));
+    let [overlaps, contacts, moves] = [overlaps, contacts, moves].map(|shares| decimals(median(&shares)));
+    let wrong_moves = rows.iter().filter(|r| r.backend() == "naive Q16.16" && question::is_move(r.workload()));
     let text = format!(
-        "**Where we lose.** On a desktop textbook f64 is right in most classes, {exact} with contacts. In {cheaper} of those, nearly all \
-         tests of pairs, it takes fewer instructions than tilesat. tilesat wins without an FPU, if the bits must be equal on every \
-         machine, and in the classes in which f64 is wrong:"
+        "**Where we lose.** On a desktop textbook f64 is right in most classes: in {exact}, contacts included. In {won} of those it \
+         takes fewer instructions than tilesat. Of pairs, right or wrong, it takes fewer in {instructions}, and less time in {time}. The \
+         median of its instructions is {overlaps} of ours for overlaps of pairs, and {contacts} for contacts. For moves it is {moves}, \
+         from {least} to {most}. On a Cortex-M4F, whose FPU computes f32, textbook f32 takes fewer instructions in {m4f}. tilesat wins \
+         without an FPU, if the bits must be equal on every machine, and in the classes in which f64 is wrong:"
     );
     let after = format!(
         "Its circles among blocks are at most {} px deep. On a Cortex-M0 textbook f64 takes fewer instructions than tilesat in {}, f32 in \
          {}. Naive Q16.16, right or wrong, takes fewer in {}. Convex pairs were not counted there. Only among blocks, boxes that look at \
          all columns and rows that they cross are right in every format. They take {naive} instructions in naive Q16.16 and {double} in \
-         f64; ours takes {ours}.",
+         f64; ours takes {ours}. A naive Q16.16 mover takes fewer than ours in {} on a desktop, and in {} on a Cortex-M0. It ends \
+         in the solid in up to {:.0} % of its frames.",
         short(deepest.fold(0.0, f64::max)),
         m0[0],
         m0[1],
-        m0[2]
+        m0[2],
+        cheaper(&shares(rows, "host", "naive Q16.16", is_move)),
+        cheaper(&shares(rows, "m0", "naive Q16.16", is_move)),
+        wrong_moves.filter_map(Row::wrong_per_million).fold(0.0, f64::max) / 1e4,
     );
     let table = "| f64 is wrong in | classes | errors in a million, up to |\n|---|---|--:|\n";
     let wrong: String = wrong.collect();
@@ -196,21 +219,45 @@ fn floats(rows: &[Row]) -> String {
     format!("\n{}\n\n{table}{wrong}{never}\n{}\n", wrapped(&text, 100), wrapped(&after, 100))
 }
 
-/// The number of classes in which a backend's best costs less than ours.
-fn cheaper_on(rows: &[Row], column: &str, backend: &str) -> String {
-    let (mut cheaper, mut all) = (0, 0);
-    for question in Question::all(rows) {
+/// Whether it asks about two shapes.
+fn is_pair(question: Question<'_>) -> bool {
+    question.workload.contains('-') && !question.workload.contains(':')
+}
+
+fn is_move(question: Question<'_>) -> bool {
+    question::is_move(question.workload)
+}
+
+/// What a backend's best costs in each class, as a share of ours, in rising order.
+fn shares(rows: &[Row], column: &str, backend: &str, which: impl Fn(Question<'_>) -> bool) -> Vec<f64> {
+    let mut shares = Vec::new();
+    for question in Question::all(rows).into_iter().filter(|q| which(*q)) {
         for class in question.classes(rows) {
             let of = |name: &str| {
                 let answers = rows.iter().filter(|r| question.is_of(r) && r.class() == class && r.backend() == name);
                 cheapest(answers, column).and_then(|r| r.get(column))
             };
             if let (Some(theirs), Some(ours)) = (of(backend), of("tilesat")) {
-                (cheaper, all) = (cheaper + u32::from(theirs < ours), all + 1);
+                shares.push(theirs / ours);
             }
         }
     }
-    format!("{cheaper} of {all} classes")
+    shares.sort_by(f64::total_cmp);
+    shares
+}
+
+fn cheaper(shares: &[f64]) -> String {
+    format!("{} of {} classes", shares.iter().filter(|share| **share < 1.0).count(), shares.len())
+}
+
+fn median(shares: &[f64]) -> Option<f64> {
+    let half = shares.len() / 2;
+    let upper = *shares.get(half)?;
+    Some(if shares.len() % 2 == 0 { f64::midpoint(upper, shares[half - 1]) } else { upper })
+}
+
+fn decimals(number: Option<f64>) -> String {
+    number.map_or_else(|| "-".to_owned(), |n| format!("{n:.2}"))
 }
 
 #[cfg(test)]
@@ -240,8 +287,11 @@ mod tests {
         assert!(table.contains(line), "{table}");
         let line = "| two circles | 24.0; **0** | 18.0; 480 | - | 30.5, -, - |";
         assert!(readme_table(&rows).contains(line), "{}", readme_table(&rows));
+        let words = table.split_whitespace().collect::<Vec<_>>().join(" ");
+        let pairs = "Of pairs, right or wrong, it takes fewer in 2 of 2 classes, and less time in 0 of 0 classes.";
+        assert!(words.contains(pairs) && words.contains("is 0.75 of ours for overlaps of pairs"), "{table}");
         assert!(
-            table.contains("| circle-circle | far | 480 |") && table.contains("most classes, 1 with contacts"),
+            table.contains("| circle-circle | far | 480 |") && table.contains("most classes: in 1, contacts included"),
             "{table}"
         );
     }
