@@ -4,7 +4,8 @@
 # SECTIONS and COLUMNS are names between semicolons, or empty: the only ones to compare, and the
 # ones that could not be measured here. Prints a line per finding, then a summary line. Exits with 1
 # if a number exceeds its budget, differs by more than 2 % from the reviewed one, or has no
-# counterpart. With another compiler it reports differences but does not fail.
+# counterpart. A budget must equal the reviewed one. With another compiler it reports differences of
+# numbers but does not fail.
 
 function in_list(list, item) { return index(";" list ";", ";" item ";") > 0 }
 function moved(a, b, d) { d = a > b ? a - b : b - a; return d * 50 > a }
@@ -25,8 +26,19 @@ section == "" || (only != "" && !in_list(only, section)) { next }
     if (file == 2) rows++
     for (i = 2; i <= columns; i++) {
         number = trim($i)
-        if (number == "" || number == "-" || column[i] ~ /\.\.|budget$/ || in_list(without, column[i])) continue
+        if (number == "" || number == "-" || column[i] ~ /\.\./ || in_list(without, column[i])) continue
         key = section SUBSEP trim($1) SUBSEP column[i]
+        if (column[i] ~ / budget$/) {
+            core = substr(column[i], 1, length(column[i]) - 7)
+            if (in_list(without, core)) continue
+            if (file == 1) { reviewed[key] = number; continue }
+            budget[key] = number
+            if (!(key in reviewed) || reviewed[key] != number) {
+                stale++
+                told("BUDGET", key, (key in reviewed ? "is " reviewed[key] : "is missing") " in counts.txt, now " number)
+            }
+            continue
+        }
         if (file == 1) { old[key] = number; continue }
         numbers++
         fresh[key] = number
@@ -49,8 +61,9 @@ END {
             change(key, sprintf("was %s, is %s (%+.1f %%)", old[key], fresh[key], old[key] + 0 ? (fresh[key] / old[key] - 1) * 100 : 100))
     }
     for (key in old) if (!(key in fresh)) change(key, "no longer measured")
+    for (key in reviewed) if (!(key in budget)) { stale++; told("BUDGET", key, "is " reviewed[key] " in counts.txt, now none") }
     where = ""
     for (c in of_column) where = where (where == "" ? ": " : ", ") c " " of_column[c]
-    printf "%d rows, %d numbers, %d over budget, %d changed%s\n", rows, numbers, over, changed, where
-    exit (over || (changed && same_compiler) || !rows)
+    printf "%d rows, %d numbers, %d over budget, %d other budgets, %d changed%s\n", rows, numbers, over, stale, changed, where
+    exit (over || stale || (changed && same_compiler) || !rows)
 }

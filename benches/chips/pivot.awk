@@ -11,8 +11,8 @@ BEGIN {
     about["scenes"] = "Instructions of one step of a whole scene by reference, mean of 64 steps."
     about["frames"] = "Instructions of single frames by reference, in a level of all shapes or of a hero in a platformer: the far end of many."
     about["stack"] = "Bytes of stack below the caller, the most of 64 inputs (of a hero: of 4000 frames): operands and answer are the caller's."
-    about["bound"] = "Bytes of stack that no input exceeds, at opt-level \"s\", by public function: all frames of the deepest chain of calls, a place for the answer\n" \
-        "included, what a caller's own function takes not. The most of all types that a line of flash/src/bin/everything_*.rs is written for: levels joined of three."
+    about["bound"] = "Bytes of stack that no input exceeds, at opt-level \"s\", by public function: all frames of the deepest chain of calls, with room for the\n" \
+        "answer. Closures and functions that you pass come on top. The most of all types that a line of flash/src/bin/everything_*.rs is written for: levels joined of three."
     about["pairs"] = "Instructions a frame of N bodies that all move, and all pairs. The boxes are at hand; 6 to 24 units, 32 cells, up to 2 a frame.\n" \
         "fixed: 1024 x 768; density: 64 x 64 each; cluster: all in 256 x 256."
     about["pairs, filters"] = "The same with filters, each body by its name."

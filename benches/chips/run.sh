@@ -3,7 +3,8 @@
 # instructions on five cores, cycles on a sixth, and stack, in the emulator. Takes flash, static RAM
 # and bounds of the stack from the linker's output.
 #
-#   run.sh                 prints and compares; exit 1 if a number is over budget or moved by > 2 %
+#   run.sh                 prints and compares; exit 1 if a number is over budget or moved by > 2 %,
+#                          or if a budget below is not that of counts.txt
 #   run.sh --accept        prints, makes these the reviewed tables, and writes them into the README,
 #                          the guide, src/boards.md and src/broad/guide.md
 #   run.sh --readme        only writes the reviewed tables there
@@ -402,7 +403,7 @@ same=0 stale=0
 if [[ $(head -n 1 counts.txt) == "$(head -n 1 "$fresh")" ]]; then
     same=1
 else
-    echo "counts.txt comes from $(head -n 1 counts.txt): reports differences, and fails only over budgets"
+    echo "counts.txt comes from $(head -n 1 counts.txt): reports differences, and fails only for budgets"
 fi
 for entry in "${tables[@]}"; do
     IFS=: read -r file mark script <<<"$entry"

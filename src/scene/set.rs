@@ -8,7 +8,8 @@ use crate::broad::{BroadError, BroadPhase, Handle, Keyed, Pair, SortSweep};
 use crate::filter::Filter;
 use crate::num::{Fx, MOTION, check_motion};
 
-/// When bodies fall asleep: after `steps` steps of rest, of all bodies that touch, directly or not.
+/// When bodies fall asleep. Bodies that touch fall asleep together, once each has rested for
+/// `steps` steps.
 ///
 /// In a step of rest a body moves by less than `still` on either axis. A faster step is also one of
 /// rest, if the body has moved no farther than `still` times `steps` since its rest began. That
@@ -185,19 +186,19 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// a body. If your replies about two bodies change, [wake](Self::wake) both. A snapshot has no
     /// memory; a restored scene looks at the level once.
     ///
-    /// RAM: 104 bytes for each of M.
+    /// RAM: 124 bytes for each of M.
     ///
     /// ```
     /// use tilesat::broad::SortSweep;
     /// use tilesat::scene::{SceneBody, SceneTag, Sleep};
-    /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Aabb, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let level = TileMap::from_ascii("..\n##", &KINDS)?; // the floor is at y = 16
     /// type Crates = Scene<SortSweep<8, SceneTag>, 8, 8>; // `8, 12` also keeps four motions
     /// let mut scene = Crates::remembering(SortSweep::new(), Sleep::NEVER);
     /// let body = Aabb::new(Vec2::from_ints(4, 8), Vec2::from_ints(12, 16))?;
     /// let crate_ = scene.insert(&SceneBody::new(body, 1))?;
-    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// let gravity = Vec2::new(fx!(0), fx!(0.25));
     /// for _ in 0..100 {
     ///     scene.step(&level, gravity, |_| {})?; // looks at the level once
     /// }

@@ -16,6 +16,15 @@ use tilesat_judge::{Random, cases};
 /// Room for ways too. One number for all tests: each one is another scene to compile.
 const WAYS: usize = BODIES + 12;
 const SIDE: usize = 12;
+
+// The bytes per body and per place that the pages of `Scene` and `Scene::remembering` give. The
+// firmware `memory` of `benches/chips/counts` checks those of a place on 32-bit chips.
+type Sized<const N: usize, const M: usize> = Scene<SortSweep<N, SceneTag>, N, M>;
+type Near<const N: usize> = SortSweep<N, SceneTag>;
+const _: () = assert!(size_of::<Sized<64, 64>>() - size_of::<Sized<64, 0>>() == 64 * 124);
+const BODIES_OF_64: usize = size_of::<Sized<128, 0>>() - size_of::<Sized<64, 0>>();
+const _: () = assert!(BODIES_OF_64 - (size_of::<Near<128>>() - size_of::<Near<64>>()) == 64 * 164);
+
 static KINDS: TileKinds = {
     let (mut kinds, mut id) = (TileKinds::EMPTY, 0);
     while id < 38 {

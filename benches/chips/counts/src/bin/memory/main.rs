@@ -14,6 +14,9 @@ use tilesat_counts::shapes::level;
 /// All bodies, and 16 ways of those that never rest.
 const PLACES: usize = BODIES + 16;
 
+// The bytes per place that the page of `Scene::remembering` gives.
+const _: () = assert!(size_of::<Bodies<64>>() - size_of::<Bodies<0>>() == 64 * 124);
+
 static mut SCENE: Bodies<PLACES> = Scene::remembering(SortSweep::new(), Sleep::NEVER);
 
 #[entry]
