@@ -250,3 +250,17 @@ fn the_root_has_at_most_sixty_names() {
     assert!(["Character", "Fx", "TileMap", "World"].iter().all(|&name| names.contains(name)), "{names:#?}");
     assert!(names.len() <= 60, "{} names: {names:#?}", names.len());
 }
+
+/// The tables of a page name each file that makes up a scene, and no file that is gone.
+#[test]
+fn the_architecture_names_the_files_of_a_scene() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(root.join("ARCHITECTURE.md")).unwrap();
+    let (_, section) = page.split_once("## The files of a scene").unwrap();
+    let rows = section.split("\n## ").next().unwrap().lines().filter_map(|line| line.strip_prefix("| `"));
+    let cells = rows.filter_map(|row| row.split_once(" |")).map(|(cell, _)| cell);
+    let named: BTreeSet<_> = cells.flat_map(|cell| cell.split("`, `")).map(|name| name.trim_matches('`')).collect();
+    let names = fs::read_dir(root.join("src/scene")).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
+    let files: Vec<_> = names.filter(|name| name != "mod.rs").collect();
+    assert_eq!(named, files.iter().map(String::as_str).collect(), "the files of src/scene");
+}
