@@ -6,7 +6,8 @@
 //! how deep, and which push parts them? What does this ray hit? Where is this body after it slides
 //! along the level? Every yes/no answer is exact, every rounding has a documented direction, every
 //! loop has a bound, and nothing panics in release builds. The crate needs no FPU, no heap and no
-//! 64-bit multiply.
+//! 64-bit multiply. On 64-bit hosts, some tests of pairs first compute with `f64`. Integers decide
+//! whatever the error of a float could change, so the bits are the same everywhere.
 //!
 //! It is not a physics engine: it has no joints and no forces, and bodies rotate only when your
 //! game rotates them.

@@ -14,10 +14,8 @@ BEGIN {
     program("a game seen from above", "a game seen from above, a box among blocks")
     program("33 bodies among blocks, coins, ladders", "33 bodies among blocks, with coins and ladders")
     program("240 bullets, 32 enemies, pairs and events", "240 bullets and 32 enemies, pairs and events")
-    call("AABB-AABB overlaps, hit", "two boxes overlap", "AABB-AABB overlaps", "kernel")
     call("blocks: box moves, <= 4 a frame", "a box moves among blocks", "move_and_slide, AABB, Blocks", "kernel")
     call("shapes: circle moves, <= 4 a frame", "a circle moves among all shapes", "move_and_slide, circle, AllShapes", "frames", "circle moves, <= 4 a frame, mean of 4000")
-    call("ride, box is carried", "a box is carried by a lift", "ride on solids, AABB, Blocks", "kernel")
 }
 function hero(row, title) { program(row, title, "frames", row ", mean of 4000", row, row ~ /lift/ ? "motion: c.step_on(l, solids, i)" : "motion: c.step(l, i)") }
 function program(row, title, section, counted, stack, limit) {
