@@ -15,13 +15,13 @@ use crate::world::World;
 /// One memo belongs to one body. It is plain data: a copy is a snapshot.
 ///
 /// ```
-/// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2, motion::Memo};
+/// use tilesat::{Aabb, Axis, Mover, TileKind, TileKinds, TileMap, Vec2, fx, motion::Memo};
 ///
 /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// let map = TileMap::from_ascii("  \n##\n", &KINDS)?; // the floor is at y = 16
 /// let (mover, mut memo) = (Mover::platformer(Axis::NEG_Y), Memo::new());
 /// let mut body = Aabb::new(Vec2::from_ints(4, 6), Vec2::from_ints(12, 16))?;
-/// let gravity = Vec2::from_raw(0, 16_384);
+/// let gravity = Vec2::new(fx!(0), fx!(0.25));
 ///
 /// for frame in 0..10 {
 ///     let moved = memo.move_and_slide(&mover, &map, 0, &body, gravity)?;

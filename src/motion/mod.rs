@@ -64,13 +64,13 @@
 //! a point between two positions with [`Vec2::lerp`](crate::Vec2::lerp). Never move a body there.
 //!
 //! ```
-//! use tilesat::{Aabb, Axis, Mover, Ratio, TileKind, TileKinds, TileMap, Vec2};
+//! use tilesat::{Aabb, Axis, Mover, Ratio, TileKind, TileKinds, TileMap, Vec2, fx};
 //!
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("      \n      \n######\n", &KINDS)?;
 //! let mover = Mover::platformer(Axis::NEG_Y);
 //! let step = |(body, v): (Aabb, Vec2)| {
-//!     let moved = mover.move_and_slide(&level, &body, v + Vec2::from_raw(0, 9_000)).unwrap();
+//!     let moved = mover.move_and_slide(&level, &body, v + Vec2::new(fx!(0), fx!(0.15))).unwrap();
 //!     (moved.body, moved.velocity)
 //! };
 //! let start = (Aabb::new(Vec2::from_ints(4, 2), Vec2::from_ints(12, 14))?, Vec2::from_ints(1, 0));

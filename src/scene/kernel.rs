@@ -20,7 +20,7 @@ use core::fmt::Debug;
 /// use tilesat::broad::SortSweep;
 /// use tilesat::scene::{SceneBody, SceneTag};
 /// use tilesat::shape::AnyShape;
-/// use tilesat::{Aabb, Axis, OrientedBox, Scene, TileKind, TileKinds, TileMap, Vec2};
+/// use tilesat::{Aabb, Axis, OrientedBox, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
 /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 /// let level = TileMap::from_ascii("....\n....\n....\n####\n", &KINDS)?; // the floor is at y = 48
 /// let mut scene = Scene::<SortSweep<8, SceneTag>, 8, 0, AnyShape<4>>::new(SortSweep::new());
@@ -28,7 +28,7 @@ use core::fmt::Debug;
 /// let diamond = scene.insert(&SceneBody::of(diamond, 1))?;
 /// let crate_ = scene.insert(&SceneBody::of(Aabb::new(Vec2::from_ints(26, 2), Vec2::from_ints(38, 10))?, 2))?;
 /// for _ in 0..120 {
-///     scene.step(&level, Vec2::from_raw(0, 6_554), |_| {})?;
+///     scene.step(&level, Vec2::new(fx!(0), fx!(0.1)), |_| {})?;
 /// }
 /// assert_eq!(scene.body(diamond)?.shape.aabb().max().y, 48); // it stands on its corner
 /// assert_eq!(scene.body(crate_)?.shape.aabb().max().y, 34); // and the crate lies on the other one

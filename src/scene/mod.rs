@@ -5,19 +5,20 @@
 //! [`contact`](crate::query::Contacts) finds how two bodies overlap.
 //! [`separate`](crate::motion::response::separate) and
 //! [`exchange`](crate::motion::response::exchange) part them and change their velocities. A
-//! [`Mover`](crate::Mover) moves each through the level. A scene is plain data.
+//! [`Mover`](crate::Mover) moves each body through the level. A scene is plain data, so a copy is a
+//! snapshot.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
-//! use tilesat::{Aabb, Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
+//! use tilesat::{Aabb, Circle, TileKind, TileKinds, TileMap, Vec2, fx};
 //!
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("#......#\n#......#\n########\n", &KINDS)?; // the floor is at y = 32
 //! let mut scene = SortSweepScene::<64>::empty();
 //! let crate_ = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(40, 22), Vec2::from_ints(50, 32))?, 1))?;
-//! let ball = scene.insert(&SceneBody::new(Circle::new(Vec2::from_ints(45, 10), Fx::from_num(4))?, 2))?;
+//! let ball = scene.insert(&SceneBody::new(Circle::new(Vec2::from_ints(45, 10), fx!(4))?, 2))?;
 //!
-//! let gravity = Vec2::from_raw(0, 6_554);
+//! let gravity = Vec2::new(fx!(0), fx!(0.1));
 //! let mut met = 0;
 //! for _ in 0..90 {
 //!     scene.step(&level, gravity, |event| met += u32::from(matches!(event, SceneEvent::Touch { .. })))?;
@@ -45,45 +46,48 @@
 //!
 //! 1. Gravity is added to the velocities of all bodies that are awake and do not
 //!    [float](SceneBody::floats).
-//! 2. Every touching pair that the game [accepts](Scene::step_with) is reported; for sensors, that
-//!    is all. If two overlap, each receives its share of the
+//! 2. Every touching pair that the game [accepts](Scene::step_with) is reported. A sensor does no
+//!    more than that. If two bodies overlap, each receives its share of the
 //!    [push](crate::motion::response::separate) that parts them. If they approach, each receives
-//!    its share of the [change of velocity](crate::motion::response::exchange). Only the farthest
-//!    push to each side counts, so two floors push no higher than one. If a body has n changes,
-//!    each counts for 1/n. In a corner of slick walls along x and y, each wall counts whole.
-//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push and then by its velocity. Its
-//!    surface decides how it bounces off the level. A body that meets the level at no more than the
-//!    gravity of two steps does not bounce: it would jitter there. A body that lies on something
-//!    loses velocity along gravity, too, as far as the push leads against it. So does one that
-//!    others wedge, but not along a floor on which it stands. A fixed body ends the motion. Every
-//!    new position passes the level's exact overlap test.
-//! 4. Bodies that lie on others are moved after them, from the lowest up. In the same step they are
-//!    pushed out of bodies that are carried.
+//!    its share of the [change of velocity](crate::motion::response::exchange). Of all pushes to
+//!    one side only the longest counts, so two floors push a body no higher than one. Of n changes
+//!    of velocity each counts for 1/n. In a corner of walls along x and y without friction, the
+//!    change of each wall counts whole.
+//! 3. Each body is [moved](crate::Mover::move_and_slide) by its push, and then by its velocity. Its
+//!    surface decides how it bounces off the level. It does not bounce if it meets the level at no
+//!    more than the gravity of two steps, because it would jitter there. If a push lifts a body
+//!    that lies on something, the body also loses as much of its downward velocity. So does a body
+//!    that others wedge, but not along a floor on which it stands. A fixed body in the way ends the
+//!    motion. Every new position passes the level's exact overlap test.
+//! 4. Bodies that lie on others are moved after them, from the lowest up. If they overlap a body
+//!    that is carried, they are pushed out of it in the same step.
 //! 5. Fast bodies are moved last, from one hit to the next.
 //! 6. Bodies that have hardly moved for some steps fall asleep, together with all bodies that they
-//!    touch. One that comes to touch another in this step stays awake, so the next step reports it.
+//!    touch. A body that began to touch another one in this step stays awake. The next step then
+//!    reports the pair.
 //!
 //! # Guarantees
 //!
 //! - **No body enters the solid.** A body that is in it already, or cannot be moved for another
 //!   reason, is [held](SceneEvent::Held): it stays and has no velocity.
-//! - **Bodies may overlap** after a step, if the level leaves no room or many push. The next step
-//!   finds how deep, and pushes again. If a push could not move a body, the other body then makes
-//!   the whole correction. A heavy body can sink into a light one at a wall by two of its steps,
-//!   plus what gravity adds in three.
-//! - **Fixed bodies keep out all others.** The motion of a slow body ends where it would enter one
-//!   by more than 1/256 of its smaller side, or goes on along it. A body that lies on one may be in
-//!   it by an eighth of that side. So nothing passes a gap that is too narrow.
+//! - **Bodies may overlap** after a step, if the level leaves no room or if many bodies push. The
+//!   next step finds how deep they are, and pushes again. If a push could not move a body, the
+//!   other body makes the whole correction in the next step. A heavy body that presses a light one
+//!   against a wall can sink into it by two of its steps, plus the gravity of three.
+//! - **Fixed bodies keep out all others.** A slow body stops or slides where it would enter a fixed
+//!   one by more than 1/256 of its own smaller side. A body that lies on a fixed one may be in it
+//!   by an eighth of that side. So nothing passes a gap that is too narrow.
 //! - **Nothing fast passes anything**: see [below](self#fast-bodies).
-//! - **Order does not matter**, neither of insertion nor of the broad phase, nor the choice of
-//!   broad phase. For this, keys must be unique (otherwise slots decide). Events come in no
-//!   particular order.
-//! - **Images**: mirrored scenes give mirrored bits and moved scenes the same bits, as far as the
-//!   [mover](crate::Mover::move_and_slide) and [degenerate](crate::query::Contact::is_degenerate)
-//!   contacts (two coincident centres) do.
-//! - **Momentum** is kept exactly, and **energy** (mass times speed squared) never grows, exactly,
-//!   if two free bodies meet and no third. In a crowd each meeting may change both by less than a
-//!   raw unit of velocity. Energy gained from gravity and from pushes is not counted.
+//! - **Order does not matter**: the order of insertion, the order in which the broad phase finds
+//!   bodies, and the choice of broad phase change nothing. This needs unique keys; if two are
+//!   equal, slots decide. Events are reported in no particular order.
+//! - **Images**: a mirrored scene gives the mirrored bits, and a moved scene the same bits. The
+//!   limits are those of the [mover](crate::Mover::move_and_slide) and of
+//!   [degenerate](crate::query::Contact::is_degenerate) contacts, whose centres coincide.
+//! - **Momentum and energy**: if two free bodies meet and touch no third, their momentum is kept
+//!   exactly. Their energy (mass times speed squared) never grows. In a crowd each meeting may
+//!   change both by less than a raw unit of velocity. Energy that gravity and pushes add is not
+//!   counted.
 //! - **Piles stand**: a body that lies on the level, or on bodies that do, is not pushed down by
 //!   those on top of it. The momentum goes into the ground. Support reaches a whole pile within a
 //!   step. Velocities are relative to the carrier: a pile on a lift that moves evenly behaves as at
@@ -91,20 +95,21 @@
 //!   bodies do: see the [limits](self#limits).
 //! - **Sleep costs nothing**: a step with all bodies asleep reads a counter. A body wakes if a body
 //!   that is awake touches it, or if you push, [place](Scene::place) or [wake](Scene::wake) it. It
-//!   also wakes if you name a region that [changed](Scene::wake_region), and if a solid that
-//!   [moves](Scene::ride) comes near it. A tile or a solid that you remove wakes no body, so name
-//!   its region. Sensors wake no body. A woken body wakes the bodies that it touches in the next
-//!   step, with the whole pile of those that touch each other.
+//!   also wakes if a [moving solid](Scene::ride) comes near it, or if you name a region that
+//!   [changed](Scene::wake_region). A tile or a solid that you remove wakes no body, so name its
+//!   region. Sensors wake no body. In the next step, a woken body wakes the whole pile of bodies
+//!   that touch it or each other.
 //!
 //! # Fast bodies
 //!
 //! A body is fast if its velocity and its pushes move it by more than half of its smaller side in a
-//! step. A [flagged](SceneBody::fast) body is always fast. A test of only its start would miss the
-//! bodies on its path. A fast body moves from event to event. It moves up to its first hit, the
-//! level or a body, found by the exact cast of two that [both
-//! move](crate::query::CastShape::cast_moving). There it bounces or slides, and continues for the
-//! rest of the step. All such events of a scene are handled in the order of their times. At the
-//! same time the level comes first, then the pair with the smaller keys.
+//! step. A [flagged](SceneBody::fast) body is always fast. A slow body is tested only where its
+//! step starts. That test would miss bodies on the path of a fast one.
+//!
+//! A fast body moves up to its first hit, the level or a body. An exact cast of [two moving
+//! shapes](crate::query::CastShape::cast_moving) finds it. There the body bounces or slides, and
+//! continues for the rest of the step. All hits in a scene are handled in the order of their times.
+//! At equal times the level comes first, then the pair with the smaller keys.
 //!
 //! ```text
 //!   t = 0        0.4          0.7           |#
@@ -114,30 +119,30 @@
 //!               +--+  their way this step  |#
 //! ```
 //!
-//! - Two bodies exchange velocities at most once per step. The event reports them once, with the
-//!   time and the speed ([`SceneEvent::Meet`]). If they hit each other again, the one that nothing
-//!   has stopped yields: a body slides along the wall against which another one presses it.
+//! - Two bodies exchange velocities at most once per step. One [`SceneEvent::Meet`] reports them,
+//!   with the time and the speed. If they hit each other again, one of them yields: the one that
+//!   nothing else has stopped. A body slides along the wall against which another one presses it.
 //! - A slow or sleeping body that is hit uses its new velocity from the next step on.
 //! - Sensors on the path are reported, too, each time that a body enters one.
-//! - After three bodies or eight events in a step, a body waits for the next step, and no body
+//! - After meeting three bodies, or after eight events, a body waits for the next step. No body
 //!   passes it.
 //! - Two bodies that are *not* fast may still pass each other if they clip each other or are
 //!   squeezed. Flag the one that moves against the other.
-//! - The game moves a fixed body between steps, so it does not meet bodies that it jumps over.
+//! - The game moves a fixed body between steps. The body does not meet those that it jumps over.
 //!
-//! A fast body with no body in reach is moved like all others; that costs one region query.
-//! Otherwise each event takes a few casts through the level and region queries, and tests the boxes
-//! of all fast bodies. In a crowd that presses together, the cost grows faster than the square of
-//! the number of fast bodies. So flag bullets, crushers and the hero, not a crowd.
+//! A fast body with no body in reach is moved like all others, and costs one more region query.
+//! Otherwise each event costs a few casts through the level, a few region queries, and a test of
+//! the boxes of all fast bodies. In a crowd that presses together, the cost grows faster than the
+//! square of the number of fast bodies. So flag bullets, crushers and the hero, not a crowd.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
-//! use tilesat::{Aabb, Circle, Fx, TileKinds, TileMap, Toi, Vec2};
+//! use tilesat::{Aabb, Circle, TileKinds, TileMap, Toi, Vec2, fx};
 //! let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
 //! let mut scene = SortSweepScene::<8>::empty();
 //! let wall = Aabb::new(Vec2::from_ints(50, -40), Vec2::from_ints(51, 40))?;
 //! let wall = scene.insert(&SceneBody::fixed(wall, 1))?;
-//! let bullet = SceneBody::new(Circle::new(Vec2::ZERO, Fx::from_num(2))?, 2);
+//! let bullet = SceneBody::new(Circle::new(Vec2::ZERO, fx!(2))?, 2);
 //! let bullet = scene.insert(&SceneBody { velocity: Vec2::from_ints(192, 0), floats: true, ..bullet })?;
 //! let mut met = None;
 //! scene.step(&level, Vec2::ZERO, |event| {
@@ -145,7 +150,7 @@
 //!         met = Some((pair.a, toi, speed));
 //!     }
 //! })?;
-//! assert_eq!(met, Some((wall, Toi::from_raw(1 << 28).unwrap(), Fx::from_num(192)))); // 48 of 192 units
+//! assert_eq!(met, Some((wall, Toi::from_raw(1 << 28).unwrap(), fx!(192)))); // 48 of 192 units
 //! assert_eq!(scene.body(bullet)?.shape.position(), Vec2::from_ints(48, 0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -155,21 +160,23 @@
 //! - **Bodies sink into others that can move.** A ball that rests between two others overlaps them.
 //!   At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin.
-//! - **A row that a hero presses against a wall yields.** Boxes under gravity come into each other
-//!   by little more than one of its steps. When it hits them, it is three, or six in a row of
-//!   eight. Of 1500 random rows, one passes another in 32. Other shapes, and bodies seen from
+//! - **A row that a hero presses against a wall yields.** Boxes under gravity overlap by little
+//!   more than one step of the hero. On impact they overlap by three steps, and in a row of eight
+//!   by six. In 32 of 1500 random rows, one body passed another. Other shapes, and bodies seen from
 //!   above, stay in each other by up to four steps, and pass far more often. Flag all of them as
-//!   `fast`: none is then more than 1/50 of a unit in another. A crowd of fast bodies costs far
-//!   more, and gets stuck in a narrow door.
+//!   `fast`: in a row, none is then more than 1/50 of a unit in another.
+//! - **A group of fast bodies that keeps pressing together sinks in slowly**, such as enemies that
+//!   chase a hero. In ten seconds, eleven boxes come into each other by less than 1/20 of a unit,
+//!   and balls by less than 1/10. After minutes in a corner, balls may be deeper. A crowd of fast
+//!   bodies costs far more, and gets stuck in a narrow door.
 //! - **Friction slows a row down.** A hero that pushes five crates with a friction of 20 percent
 //!   moves at two thirds of its speed, though it is far heavier.
 //! - **Large heaps may keep moving**: of balls without friction, 2 of 180 heaps of 8 to 24, and
 //!   an eighth of those of 60. Balls among boxes swing longer.
-//! - **A fast body on a fixed one** that the game [places](Scene::place) may be behind by what
-//!   gravity adds in a step.
+//! - **A fast body on a fixed one** that the game [places](Scene::place) may lag by one step's
+//!   gravity.
 //! - **A body bounces for ever** if its restitution is above one half and its
-//!   [`Surface::resting_below`](crate::Surface::resting_below) is too low. It is if it is less than
-//!   the gravity, divided by one minus the restitution.
+//!   [`resting_below`](crate::Surface::resting_below) is less than gravity / (1 - restitution).
 //!
 //! # Cost
 //!
@@ -187,19 +194,20 @@
 //! bodies that they carry and push. Each step takes them in a [`Joined`](crate::Joined) level.
 //! Without `ride` a solid only blocks, and a body that it enters is [held](SceneEvent::Held).
 //!
-//! They can also be `fixed` bodies that the game [places](crate::Scene::place). Those push by their
-//! velocity, and carry by friction. Set the platform's velocity, and place it *after* the step in
-//! which the bodies on it move with it. That is enough for up and down. Sideways, *both* need
-//! friction: if two bodies meet, the surface that bounces more is used, or else the one with less
-//! friction. A conveyor is such a body that you do not move.
+//! They can also be `fixed` bodies that the game [places](crate::Scene::place). Such a platform
+//! pushes by its velocity, and carries by friction. Set its velocity, step the scene, and then
+//! place the platform. The bodies on it move in the step, and it follows them. That is enough for
+//! up and down. Sideways, the platform and its load *both* need friction. When two bodies meet, the
+//! surface that bounces more decides, or else the one with less friction. A conveyor is a `fixed`
+//! body with a velocity that stays where it is.
 //!
-//! If you place a platform without setting its velocity, it pushes as it rises. As it moves
-//! sideways or down, it slides away below its load. A body that it crushes against the level
+//! If you place a platform without setting its velocity, it pushes its load only as it rises. As it
+//! moves sideways or down, it slides away below its load. A body that it crushes against the level
 //! overlaps it, and is reported.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SortSweepScene};
-//! use tilesat::{Aabb, Fx, Ratio, Surface, TileKinds, TileMap, Vec2};
+//! use tilesat::{Aabb, Ratio, Surface, TileKinds, TileMap, Vec2, fx};
 //! let level = TileMap::from_ascii("........\n........\n", &TileKinds::EMPTY)?;
 //! let at = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
 //! let mut scene = SortSweepScene::<8>::empty();
@@ -209,12 +217,12 @@
 //! let lift = scene.insert(&SceneBody { velocity, surface, ..SceneBody::fixed(way, 1) })?;
 //! let load = scene.insert(&SceneBody { velocity, surface, ..SceneBody::new(at(18, 92, 8, 8)?, 2) })?;
 //! for _ in 0..40 {
-//!     scene.step(&level, Vec2::from_raw(0, 6_554), |_| {})?;
+//!     scene.step(&level, Vec2::new(fx!(0), fx!(0.1)), |_| {})?;
 //!     way = Aabb::new(way.min() + velocity, way.max() + velocity)?;
 //!     scene.place(lift, way)?;
 //! }
 //! let load = scene.body(load)?.shape.aabb();
-//! assert!((load.min().x - way.min().x - Fx::from_num(8)).abs() < 1); // the same position on the lift
+//! assert!((load.min().x - way.min().x - fx!(8)).abs() < 1); // the same position on the lift
 //! assert_eq!(load.max().y, way.min().y); // exactly on top of it
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -223,14 +231,14 @@
 //! that [floats](SceneBody::floats), with a mass and zero velocity. In each frame, walk the hero
 //! through the level, `place` its body, call `step`, and continue from the position to which the
 //! scene pushed it. The body never overlaps the level there. The body meets triggers, and pushes
-//! crates into which it walks. A hit changes its velocity in the scene: add that to the walker's or
-//! not, and set it to zero. Do not use a `fixed` body: nothing pushes it, and it does not meet
-//! other fixed bodies. The walker does not know that it stands on a crate, but
-//! [`is_supported`](crate::Scene::is_supported) does.
+//! crates into which it walks. A hit changes the velocity of the body in the scene. You may add
+//! that velocity to the walker's; then set it to zero. Do not use a `fixed` body: nothing pushes
+//! it, and it does not meet other fixed bodies. The walker does not know that it stands on a crate,
+//! but [`is_supported`](crate::Scene::is_supported) does.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SceneEvent, Shape, SortSweepScene};
-//! use tilesat::{Aabb, Axis, Filter, Mover, TileKind, TileKinds, TileMap, Vec2, Walker};
+//! use tilesat::{Aabb, Axis, Filter, Mover, TileKind, TileKinds, TileMap, Vec2, Walker, fx};
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("........\n........\n########", &KINDS)?; // the floor is at y = 32
 //! let at = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
@@ -245,7 +253,7 @@
 //!     let walked = walker.walk(&level, &hero, Vec2::from_ints(1, 1), floor)?;
 //!     floor = walked.floor;
 //!     scene.place(body, walked.moved.body)?;
-//!     scene.step(&level, Vec2::from_raw(0, 6_554), |event| {
+//!     scene.step(&level, Vec2::new(fx!(0), fx!(0.1)), |event| {
 //!         passed |= matches!(event, SceneEvent::Touch { pair, .. } if (pair.a, pair.b) == (body, door));
 //!     })?;
 //!     scene.set_velocity(body, Vec2::ZERO)?;
@@ -265,16 +273,16 @@
 //!
 //! **Ghosts, bullets, pick-ups**: your closure in [`step_with`](Scene::step_with) returns a
 //! [`Reply`] for each pair: ignore, cross, slide, touch or bounce. A [`Filter`](crate::Filter)
-//! costs less if whole groups ignore each other. For the level, use [`SceneBody::responses`] for
-//! surfaces that stop the body, or [`Responses::otherwise`](crate::motion::Responses::otherwise)
-//! for a bullet that stops at all of them. By default a body slides along a wall, and may meet
-//! others behind it in the same step. Use [`step_in`](Scene::step_in) for tiles that it passes.
-//! [`step_along`](Scene::step_along) reports those.
+//! costs less if whole groups ignore each other. By default a body slides along a wall, and may
+//! meet others behind it in the same step. Set [`SceneBody::responses`] for surfaces that stop the
+//! body, or [`Responses::otherwise`](crate::motion::Responses::otherwise) for a bullet that stops
+//! at all of them. Use [`step_in`](Scene::step_in) for tiles that a body passes.
+//! [`step_along`](Scene::step_along) reports these tiles.
 //!
 //! **Tiles that only some bodies meet**: give the tiles flags, and list the flags that each kind of
 //! body passes. [`TileKinds::passing`](crate::TileKinds::passing) makes a table of tiles for each
-//! kind of body, and each table makes a level. The levels share their tiles: a door that opens does
-//! so for all. This works for every [set](crate::world::ShapeSet) of shapes.
+//! kind of body, and each table makes a level. The levels share their tiles, so a door opens for
+//! all of them. This works for every [set](crate::world::ShapeSet) of shapes.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SortSweepScene};
@@ -330,7 +338,7 @@
 //! ```
 //! use tilesat::broad::{Handle, PairEvent, PairEvents};
 //! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
-//! use tilesat::{Aabb, Cell, Fx, TileKind, TileKinds, TileMap, Vec2};
+//! use tilesat::{Aabb, Cell, Fx, TileKind, TileKinds, TileMap, Vec2, fx};
 //! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 //! let level = TileMap::from_ascii("...\n...\n...\n###", &KINDS)?; // the floor is at y = 48
 //! let mut scene = SortSweepScene::<8>::empty();
@@ -338,7 +346,7 @@
 //! let mut contacts = PairEvents::<16, (Handle, Cell)>::new();
 //! let (mut landings, mut hardest) = (0, Fx::ZERO);
 //! for _ in 0..600 {
-//!     scene.step(&level, Vec2::from_raw(0, 1 << 14), |event| {
+//!     scene.step(&level, Vec2::new(fx!(0), fx!(0.25)), |event| {
 //!         if let SceneEvent::Level { body, hits, velocity, .. } = event {
 //!             for hit in hits {
 //!                 contacts.feed((body, hit.cell));
@@ -350,26 +358,28 @@
 //!     contacts.finish(|(body, _)| scene.is_awake(*body).is_ok_and(|awake| !awake))?;
 //!     landings += contacts.iter().filter(|event| matches!(event, PairEvent::Begin(_))).count();
 //! }
-//! assert_eq!((landings, hardest), (1, Fx::from_num(4.25)));
+//! assert_eq!((landings, hardest), (1, fx!(4.25)));
 //! assert!(!scene.is_awake(crate_)? && contacts.iter().count() == 1);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Sensors** never wake a body. A sensor with a mass meets sleeping bodies when it moves or once
-//! you have placed it; give it `floats`. A fixed sensor and a sleeping body both rest. If you put
-//! the sensor on such a body, nothing is reported until the body wakes. Call
-//! [`wake`](crate::Scene::wake) for the bodies that [`near`](crate::Scene::near) finds there.
+//! **Sensors** never wake a body. A sensor with a mass reports sleeping bodies when it moves, or
+//! once you have placed it. Give it `floats`, so that it does not fall. A fixed sensor and a
+//! sleeping body both rest, so nothing is reported until the body wakes. To learn about such bodies
+//! at once, call [`wake`](crate::Scene::wake) for those that [`near`](crate::Scene::near) finds
+//! there.
 //!
 //! **Keys** must be unique for results that do not depend on the order of insertion. If two are
 //! equal, nothing fails: the one in the smaller slot is `a`, and slots depend on that order.
 //!
-//! **Grids with [`Border::Refuse`](crate::broad::Border::Refuse)** hold a body that would leave at
-//! its last position in every step, without a velocity, until it falls asleep there. Remove it when
-//! the event reports it, or use a border that accepts all.
+//! **Grids with [`Border::Refuse`](crate::broad::Border::Refuse)** let no body leave. A body at the
+//! border stays at its last position without a velocity, and each step reports it as
+//! [held](SceneEvent::Held), until it falls asleep. Remove it then, or use a border that accepts
+//! all.
 //!
-//! **Rollback** takes a [`Snapshot`], or copies the scene. It also needs all data of your rules:
-//! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), the bytes of
-//! tiles that change, solids.
+//! **Rollback** takes a [`Snapshot`], or copies the scene. Copy all data of your rules as well:
+//! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), solids, and
+//! the bytes of tiles that change.
 
 mod blocked_sides;
 mod body;

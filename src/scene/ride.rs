@@ -101,7 +101,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// let crates = crates.map(|(shape, key)| {
     ///     scene.insert(&SceneBody { surface: rough, ..SceneBody::new(shape, key) }).unwrap()
     /// });
-    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// let gravity = Vec2::new(fx!(0), fx!(0.25));
     /// for _ in 0..60 {
     ///     scene.step(&Joined::new(&level, &ConvexSolids::new(&lift)), gravity, |_| {})?; // they land
     /// }

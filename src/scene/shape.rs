@@ -13,9 +13,9 @@ use crate::world::{World, probe};
 /// ```
 /// use tilesat::prelude::*;
 /// use tilesat::scene::Shape;
-/// use tilesat::{Aabb, Axis, Circle, Fx, Vec2};
+/// use tilesat::{Aabb, Axis, Circle, Vec2, fx};
 /// let crate_: Shape = Aabb::new(Vec2::from_ints(0, 0), Vec2::from_ints(10, 10))?.into();
-/// let ball: Shape = Circle::new(Vec2::from_ints(12, 5), Fx::from_num(3))?.into();
+/// let ball: Shape = Circle::new(Vec2::from_ints(12, 5), fx!(3))?.into();
 /// assert_eq!(crate_.contact(&ball).map(|contact| contact.axis()), Some(Axis::X));
 /// # Ok::<(), tilesat::RangeError>(())
 /// ```
@@ -49,7 +49,7 @@ pub enum Shape {
 /// let crate_ = Aabb::new(Vec2::from_ints(28, 10), Vec2::from_ints(36, 18))?;
 /// let crate_ = scene.insert(&SceneBody::of(crate_, 2))?;
 /// for _ in 0..120 {
-///     scene.step(&level, Vec2::from_raw(0, 6_554), |_| {})?;
+///     scene.step(&level, Vec2::new(fx!(0), fx!(0.1)), |_| {})?;
 /// }
 /// assert_eq!(scene.body(crate_)?.shape.aabb().max().y, 32); // it lies on the flat side
 /// let slanted = Capsule::new(Vec2::from_ints(4, 4), Vec2::from_ints(8, 8), fx!(2))?;

@@ -26,10 +26,10 @@ use crate::filter::Filter;
 ///
 /// ```
 /// use tilesat::scene::{SceneBody, SortSweepScene};
-/// use tilesat::{Circle, Fx, TileKinds, TileMap, Vec2};
+/// use tilesat::{Circle, TileKinds, TileMap, Vec2, fx};
 /// let level = TileMap::from_ascii("....\n....\n", &TileKinds::EMPTY)?;
 /// let mut scene = SortSweepScene::<8>::empty();
-/// let ball = SceneBody::new(Circle::new(Vec2::from_ints(8, 8), Fx::from_num(2))?, 1);
+/// let ball = SceneBody::new(Circle::new(Vec2::from_ints(8, 8), fx!(2))?, 1);
 /// scene.insert(&SceneBody { velocity: Vec2::from_ints(1, 0), ..ball })?;
 ///
 /// let before = scene.snapshot();

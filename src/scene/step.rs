@@ -125,14 +125,14 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// ```
     /// use tilesat::scene::{SceneBody, SortSweepScene};
-    /// use tilesat::{Circle, Fx, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Circle, TileKind, TileKinds, TileMap, Vec2, fx};
     /// const CURTAIN: u8 = 1;
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'c', TileKind::FULL.with_flags(CURTAIN));
     /// static GHOSTS: TileKinds = KINDS.passing(CURTAIN);
     /// let rows = "...c\n...c\n";
     /// let (level, ghosts) = (TileMap::from_ascii(rows, &KINDS)?, TileMap::from_ascii(rows, &GHOSTS)?);
     /// let mut scene = SortSweepScene::<8>::empty();
-    /// let body = |y, key| Circle::new(Vec2::from_ints(40, y), Fx::from_num(4)).map(|ball| SceneBody {
+    /// let body = |y, key| Circle::new(Vec2::from_ints(40, y), fx!(4)).map(|ball| SceneBody {
     ///     velocity: Vec2::from_ints(20, 0),
     ///     ..SceneBody::new(ball, key)
     /// });

@@ -1,0 +1,66 @@
+//! Fast bodies that chase a hero sink into each other slowly, as the limits of scenes say.
+
+use super::kept_out::{ball, depth};
+use super::steps::{Swept, step_with};
+use core::num::NonZeroU8;
+use tilesat::broad::SortSweep;
+use tilesat::scene::{Reply, SceneBody, Shape};
+use tilesat::{Aabb, Fx, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat_judge::{Random, cases, enough};
+
+static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+const ROOM: &str = "##########\n#........#\n#........#\n#........#\n#........#\n##########\n";
+
+/// How deep any of these bodies is in another at most, if eleven enemies chase a hero of this mass
+/// that runs to and fro in a room.
+fn deepest(seed: u64, mass: u8, round: bool, frames: u32) -> Fx {
+    let level = TileMap::from_ascii(ROOM, &KINDS).unwrap();
+    let r = &mut Random::new(seed);
+    let mut scene = Swept::new(SortSweep::new());
+    let mut insert = |x: i16, y: i16, round: bool, mass: u8, key: u32| {
+        let at = Vec2::from_ints(x, y);
+        let crate_ = || Aabb::from_centre(at, Vec2::from_ints(5, 5)).unwrap();
+        let shape = if round { Shape::Circle(ball(at.x, at.y, fx!(5))) } else { Shape::Aabb(crate_()) };
+        let body = SceneBody { mass: NonZeroU8::new(mass), fast: true, ..SceneBody::of_shape(shape, key) };
+        scene.insert(&body).unwrap()
+    };
+    let hero = insert(28, 28, false, mass, 1);
+    let enemies: Vec<_> =
+        (0..11_i16).map(|k| insert(28 + k % 8 * 14, 56 + k / 8 * 14, round, 1, 10 + k as u32)).collect();
+    let (mut run, mut until, mut deepest) = (Vec2::ZERO, 0, Fx::ZERO);
+    for frame in 0..frames {
+        if frame == until {
+            until += 60 + r.below(240) as u32;
+            run = Vec2::new(fx!(1.5) * (r.below(3) as i32 - 1), fx!(1.5) * (r.below(3) as i32 - 1));
+        }
+        scene.set_velocity(hero, run).unwrap();
+        let centre = |scene: &Swept, body| scene.body(body).unwrap().shape.aabb().centre();
+        for &enemy in &enemies {
+            let way = centre(&scene, hero) - centre(&scene, enemy);
+            scene.set_velocity(enemy, way.unit().scaled(fx!(0.75))).unwrap();
+        }
+        step_with(&mut scene, &level, Vec2::ZERO, &mut |_| Reply::Meet, &mut |_| ()).unwrap();
+        deepest = enemies.iter().map(|&body| depth(&scene, body)).fold(deepest, Fx::max);
+    }
+    deepest
+}
+
+/// For ten seconds of 60 frames.
+#[test]
+fn chasers_hardly_sink_in_at_first() {
+    for case in 0..cases(4_u64) {
+        for mass in [1, 3, 255] {
+            let [boxes, balls] = [false, true].map(|round| deepest(case, mass, round, 600));
+            assert!(boxes < fx!(0.05), "case {case}, mass {mass}: boxes are {boxes} deep");
+            assert!(balls < fx!(0.1), "case {case}, mass {mass}: balls are {balls} deep");
+        }
+    }
+}
+
+/// Balls in a corner go on sinking.
+#[test]
+fn balls_that_chase_for_minutes_sink_in_further() {
+    let deep = (0..cases(6_u64)).map(|case| deepest(case, 3, true, 3600)).max().unwrap();
+    println!("{deep} deep");
+    assert!(deep < fx!(1) && enough(deep > fx!(0.1)), "{deep} deep");
+}
