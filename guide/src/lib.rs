@@ -11,7 +11,7 @@
 //! | [`coins_and_spikes`] | coins, spikes, ladders, water |
 //! | [`top_down`] | games without an "up" |
 //! | [`segment_levels`] | polygons, walls, two levels as one |
-//! | [`many_bodies`] | broad phases, pairs, scenes |
+//! | [`many_bodies`] | broad phases, pairs, scenes, ropes |
 //! | [`rays_and_casts`] | lasers, guards, ledges |
 //! | [`drawing_and_replays`] | interpolation, slow motion, replays, rollback |
 //! | [`rollback`] | two machines: guesses, snapshots, replayed frames |
