@@ -260,7 +260,8 @@ fn the_architecture_names_the_files_of_a_scene() {
     let rows = section.split("\n## ").next().unwrap().lines().filter_map(|line| line.strip_prefix("| `"));
     let cells = rows.filter_map(|row| row.split_once(" |")).map(|(cell, _)| cell);
     let named: BTreeSet<_> = cells.flat_map(|cell| cell.split("`, `")).map(|name| name.trim_matches('`')).collect();
-    let names = fs::read_dir(root.join("src/scene")).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
+    let names =
+        fs::read_dir(root.join("src/scene")).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
     let files: Vec<_> = names.filter(|name| name != "mod.rs").collect();
     assert_eq!(named, files.iter().map(String::as_str).collect(), "the files of src/scene");
 }

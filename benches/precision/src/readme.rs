@@ -184,11 +184,8 @@ fn floats(rows: &[Row]) -> String {
     let m4f = cheaper(&shares(rows, "m4f", "textbook f32", |_| true));
     let [instructions, time] = ["host", "ns"].map(|column| cheaper(&shares(rows, column, "textbook f64", is_pair)));
     let of = |which: fn(Question<'_>) -> bool| shares(rows, "host", "textbook f64", which);
-    let [overlaps, contacts, moves] = [
-        of(|q| is_pair(q) && q.asked == "overlaps"),
-        of(|q| is_pair(q) && q.asked == "contact"),
-        of(is_move),
-    ];
+    let [overlaps, contacts, moves] =
+        [of(|q| is_pair(q) && q.asked == "overlaps"), of(|q| is_pair(q) && q.asked == "contact"), of(is_move)];
     let [least, most] = [moves.first(), moves.last()].map(|share| decimals(share.copied()));
     let [overlaps, contacts, moves] = [overlaps, contacts, moves].map(|shares| decimals(median(&shares)));
     let wrong_moves = rows.iter().filter(|r| r.backend() == "naive Q16.16" && question::is_move(r.workload()));
