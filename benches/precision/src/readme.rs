@@ -250,7 +250,7 @@ fn cheaper(shares: &[f64]) -> String {
 fn median(shares: &[f64]) -> Option<f64> {
     let half = shares.len() / 2;
     let upper = *shares.get(half)?;
-    Some(if shares.len() % 2 == 0 { f64::midpoint(upper, shares[half - 1]) } else { upper })
+    Some(if shares.len().is_multiple_of(2) { f64::midpoint(upper, shares[half - 1]) } else { upper })
 }
 
 fn decimals(number: Option<f64>) -> String {
