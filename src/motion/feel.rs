@@ -133,9 +133,10 @@ pub struct Feel {
     pub step: Fx,
     /// How fast it walks on slopes.
     pub slope_speed: SlopeSpeed,
-    /// The speed away from a wall at the start of a wall jump. `None`: no wall jumps. The character
-    /// must have run against the wall in the last [`coyote`](Self::coyote) frames. The same wall
-    /// can be used again, so a small speed lets it climb a single wall.
+    /// The speed away from a wall at the start of a wall jump, relative to the level, even if the
+    /// wall moves. `None`: no wall jumps. The character must have run against the wall in the last
+    /// [`coyote`](Self::coyote) frames. The same wall can be used again, so a small speed lets it
+    /// climb a single wall.
     pub wall_jump: Option<Fx>,
     /// The fastest fall while the body runs against a wall. `None`: the same as elsewhere.
     pub wall_slide: Option<Fx>,

@@ -173,13 +173,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ///
     /// ```
     /// use tilesat::scene::{SceneBody, SortSweepScene};
-    /// use tilesat::{Aabb, TileKind, TileKinds, TileMap, Vec2};
+    /// use tilesat::{Aabb, TileKind, TileKinds, TileMap, Vec2, fx};
     /// static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
     /// let (closed, open) = ("..\n##", "..\n#."); // a trapdoor below x = 16
     /// let closed = TileMap::from_ascii(closed, &KINDS)?;
     /// let mut scene = SortSweepScene::<8>::empty();
     /// let barrel = scene.insert(&SceneBody::new(Aabb::new(Vec2::from_ints(18, 8), Vec2::from_ints(26, 16))?, 1))?;
-    /// let gravity = Vec2::from_raw(0, 1 << 14);
+    /// let gravity = Vec2::new(fx!(0), fx!(0.25));
     /// for _ in 0..100 {
     ///     scene.step(&closed, gravity, |_| {})?;
     /// }

@@ -86,8 +86,9 @@
 //!   [degenerate](crate::query::Contact::is_degenerate) contacts, whose centres coincide.
 //! - **Momentum and energy**: if two free bodies meet and touch no third, their momentum is kept
 //!   exactly. Their energy (mass times speed squared) never grows. In a crowd each meeting may
-//!   change both by less than a raw unit of velocity. Energy that gravity and pushes add is not
-//!   counted.
+//!   change both by less than a raw unit of velocity. A slow body that runs into several at once
+//!   takes a mean, and loses energy. Three elastic balls that meet keep less than half of it. Flag
+//!   bouncing balls as `fast`. Energy that gravity and pushes add is not counted.
 //! - **Piles stand**: a body that lies on the level, or on bodies that do, is not pushed down by
 //!   those on top of it. The momentum goes into the ground. Support reaches a whole pile within a
 //!   step. Velocities are relative to the carrier: a pile on a lift that moves evenly behaves as at
@@ -122,7 +123,11 @@
 //! - Two bodies exchange velocities at most once per step. One [`SceneEvent::Meet`] reports them,
 //!   with the time and the speed. If they hit each other again, one of them yields: the one that
 //!   nothing else has stopped. A body slides along the wall against which another one presses it.
-//! - A slow or sleeping body that is hit uses its new velocity from the next step on.
+//! - A slow or sleeping body that is hit uses its new velocity from the next step on. A slow body
+//!   that runs into one that is fast by itself moves in the same way in that step, so their masses
+//!   decide. Between two slow bodies nothing changes.
+//! - A body that others lead, or that waits, keeps no more velocity along gravity than it moved. So
+//!   one that is wedged stores no speed.
 //! - Sensors on the path are reported, too, each time that a body enters one.
 //! - After meeting three bodies, or after eight events, a body waits for the next step. No body
 //!   passes it.
@@ -160,6 +165,12 @@
 //! - **Bodies sink into others that can move.** A ball that rests between two others overlaps them.
 //!   At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin.
+//! - **A slow ball feels the seams of flush bodies.** On a row of boxes that touch, a ball or
+//!   capsule gets a small sideways velocity at each seam. Near one it may roll away from rest.
+//!   Flag it as `fast`: it then rolls as on tiles. Floors of tiles and `Solid`s have no seams.
+//! - **Slow boxes in a V of slopes may shake for ever**, by up to 3 units per step. Without
+//!   friction two are enough, with a friction of 50 percent four. Flag them as `fast`: then most
+//!   rest, and the others hardly move.
 //! - **A row that a hero presses against a wall yields.** Boxes under gravity overlap by little
 //!   more than one step of the hero. On impact they overlap by three steps, and in a row of eight
 //!   by six. In 32 of 1500 random rows, one body passed another. Other shapes, and bodies seen from

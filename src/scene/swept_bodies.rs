@@ -48,7 +48,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     }
 
     /// Sweeps slow bodies that run into a fast one, too, so their masses decide. If they moved
-    /// first, as all slow bodies do, the fast body would make way: a walker of mass 1 would carry a
+    /// first, as all slow bodies do, the fast body would make way. A walker of mass 1 would carry a
     /// hero of mass 255 along. Not for bodies that are fast only as others push them: in a pressed
     /// row, they are between slow ones.
     #[inline(never)]
