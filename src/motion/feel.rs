@@ -178,7 +178,7 @@ impl Feel {
     /// the fault when you compile:
     ///
     /// ```
-    /// use tilesat::{Feel, fx, world::Quantity};
+    /// use tilesat::{Feel, Quantity, fx};
     /// const FROG: Feel = Feel { jump: fx!(6), ..Feel::DEFAULT };
     /// const _: () = assert!(FROG.check().is_ok());
     ///
