@@ -206,6 +206,8 @@ impl Feel {
 
     /// Refuses speeds with a sign, as other engines have them: the hero would jump into the ground.
     pub(super) const fn check_signs(&self) -> Result<(), RangeError> {
+        use Quantity::{Acceleration, AirAcceleration, Fall, Jump, JumpCut, WallJump, WallSlide};
+
         let Self { fall, jump, jump_cut, acceleration, air_acceleration, wall_jump, wall_slide, .. } = *self;
         let off = if let Some(speed) = wall_jump { speed.to_bits() } else { 0 };
         let along = if let Some(speed) = wall_slide { speed.to_bits() } else { 0 };
@@ -214,7 +216,6 @@ impl Feel {
         if up | acceleration.to_bits() | air_acceleration.to_bits() | off | along >= 0 {
             return Ok(());
         }
-        use Quantity::{Acceleration, AirAcceleration, Fall, Jump, JumpCut, WallJump, WallSlide};
         let (what, value) = match (fall.to_bits(), jump.to_bits(), jump_cut.to_bits(), acceleration.to_bits()) {
             (value @ ..0, ..) => (Fall, value),
             (_, value @ ..0, ..) => (Jump, value),
