@@ -146,18 +146,18 @@ where
 
     fn find_ends(&mut self, turned: Option<[u16; 2]>) {
         for &handle in self.movers {
-            let Some(slot) = self.slots.get(handle.slot()).copied() else { continue };
+            let Some(slot) = self.slots.get(handle.slot()) else { continue };
             if !slot.path.is_swept() || slot.path.is_held() {
                 continue;
             }
-            let end = match turned {
-                Some(turned) if !turned.iter().any(|&at| slot.path.depends_on(handle, at)) => {
-                    if !slot.path.waits() {
-                        continue;
-                    }
-                    Ok(self.compare_turned(handle, &slot, turned))
-                }
-                _ => self.find_end(handle, &slot),
+            let known = turned.filter(|turned| !turned.iter().any(|&at| slot.path.depends_on(handle, at)));
+            if known.is_some() && !slot.path.waits() {
+                continue;
+            }
+            let slot = *slot;
+            let end = match known {
+                Some(turned) => Ok(self.compare_turned(handle, &slot, turned)),
+                None => self.find_end(handle, &slot),
             };
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             match end {
@@ -323,6 +323,10 @@ where
         }
         (slot.body.velocity, slot.path) = (from.body.velocity, from.path);
         (slot.support, slot.ground) = (from.support, from.ground);
+        // The hit has made it fast: now it meets slow bodies and sensors on its path, too.
+        if slot.path.pace == Pace::Cut && slot.leads_fast() {
+            slot.path.pace = Pace::Swept;
+        }
     }
 
     /// Reports the sensors on a path that ends at a time.
@@ -365,7 +369,7 @@ where
         slot.block(blocked_sides(slot.tally.push(), by), by);
         slot.path.rate = by;
         if slot.path.led || slot.path.waits() {
-            slot.body.velocity = self.trip.kept_waiting(slot.body.velocity, by);
+            slot.body.velocity = kept_pressed(slot.body.velocity, by, slot.body.weight(self.trip.gravity));
         }
         match self.near.move_to(handle, &bounds) {
             Ok(()) => self.trip.arrive(slot, by, slot.support, free),
@@ -375,4 +379,25 @@ where
             }
         }
     }
+}
+
+/// The velocity of a body that others lead, or that waits, after a step in which it `made` a
+/// displacement. If that is less than what gravity adds in two steps, the velocity along gravity is
+/// the displacement, too, but loses no more than those two steps.
+///
+/// What it lies on, and what presses it there, have stopped it, and each changes its velocity only
+/// once per step. If it kept what gravity adds, a wedged body would store speed in every step, and
+/// fly off when it comes free. In a group that falls together, bodies lead each other, too, but
+/// move.
+fn kept_pressed(velocity: Vec2, made: Vec2, weight: Vec2) -> Vec2 {
+    let ((x, y), (made_x, made_y), (g_x, g_y)) = (velocity.raw(), made.raw(), weight.raw());
+    let one = |v: i32, made: i32, g: i32| {
+        let most = g.wrapping_mul(2);
+        match g {
+            ..=-1 if made > most => v.max(made.min(0)).min(v.saturating_sub(most)),
+            1.. if made < most => v.min(made.max(0)).max(v.saturating_sub(most)),
+            _ => v,
+        }
+    };
+    Vec2::from_raw(one(x, made_x, g_x), one(y, made_y, g_y))
 }

@@ -168,7 +168,7 @@ pub(super) const fn senses<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
 /// Whether another body may end the path of one.
 pub(super) fn stops<S>(one: &Slot<S>, other: &Slot<S>) -> bool {
     let counts = |slot: &Slot<S>| slot.path.pace == Pace::Swept || slot.mode == Mode::Fixed;
-    may_meet(one, other) && (counts(one) || counts(other)) && !one.path.ignores(&other.path) && !senses(one, other)
+    (counts(one) || counts(other)) && may_meet(one, other) && !one.path.ignores(&other.path) && !senses(one, other)
 }
 
 /// Two bodies in canonical order.

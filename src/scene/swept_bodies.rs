@@ -1,7 +1,7 @@
 //! Which bodies of a step are swept: the fast ones, and slow ones that run into them.
 
 use super::Scene;
-use super::body::Slot;
+use super::body::{Mode, Slot};
 use super::body_path::Pace;
 use super::idle::reach_of;
 use super::kernel::BodyShape;
@@ -10,7 +10,7 @@ use super::meeting_time::{around, may_meet, pair, reach, senses};
 use super::memory::keep;
 use super::reply::{Replies, Reply};
 use super::through_level::Trip;
-use crate::broad::{BroadPhase, Keyed};
+use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
 use crate::num::Vec2;
 use crate::query::Touches;
@@ -55,14 +55,23 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub(super) fn cut_paths(&mut self, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
-        let slow = |slot: &Slot<S>| slot.is_awake() && slot.path.pace == Pace::Slow;
-        let widest = movers.iter().filter_map(|handle| slots.get(handle.slot()).filter(|at| slow(at)).map(reach)).max();
-        let Some(widest) = widest else { return };
+        // A body that lies on a fixed one moves as on a floor of the level.
+        let may_cut = |slots: &[Slot<S>], slot: &Slot<S>| {
+            let on_fixed = || slots.get(usize::from(slot.ground)).is_some_and(|ground| ground.mode == Mode::Fixed);
+            slot.is_awake()
+                && match slot.path.pace {
+                    Pace::Slow => true,
+                    Pace::Lies => slot.support == 1 && on_fixed(),
+                    _ => false,
+                }
+        };
+        let slow = |handle: &Handle| slots.get(handle.slot()).filter(|slot| may_cut(slots, slot));
+        let Some(widest) = movers.iter().filter_map(slow).map(reach).max() else { return };
         for &handle in movers {
             let fast = |slot: &Slot<S>| slot.path.pace == Pace::Swept && slot.leads_fast();
             let Some(one) = slots.get(handle.slot()).copied().filter(fast) else { continue };
             near.in_region(&around(&one.body.shape.aabb(), reach(&one).saturating_add(widest)), |other| {
-                let Some(two) = slots.get(other.slot()).filter(|at| slow(at)) else { return };
+                let Some(two) = slots.get(other.slot()).filter(|at| may_cut(slots, at)) else { return };
                 let meet = may_meet(&one, two) && !senses(&one, two) && runs_into(two, &one);
                 if meet && replies.to(pair((handle, &one), (other, two))).acts() {
                     if let Some(slot) = slots.get_mut(other.slot()) {

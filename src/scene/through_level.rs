@@ -284,21 +284,6 @@ impl<V> Trip<'_, V> {
         held
     }
 
-    /// The velocity of a body that waits for the next step: along gravity no more than it moved.
-    ///
-    /// What it lies on, and what presses it there, have turned it until it waits. If it kept the
-    /// velocity that gravity adds, that would grow with every step, and throw the body off when it
-    /// comes free.
-    pub(super) fn kept_waiting(&self, velocity: Vec2, made: Vec2) -> Vec2 {
-        let ((x, y), (made_x, made_y), (g_x, g_y)) = (velocity.raw(), made.raw(), self.gravity.raw());
-        let one = |v: i32, made: i32, g: i32| match g {
-            ..0 => v.max(made.min(0)),
-            0 => v,
-            1.. => v.min(made.max(0)),
-        };
-        Vec2::from_raw(one(x, made_x, g_x), one(y, made_y, g_y))
-    }
-
     /// A body has made a straight path.
     pub(super) fn report_path<S: BodyShape>(&self, handle: Handle, from: &S, to: &S)
     where

@@ -55,7 +55,7 @@ fn wedged_bodies_store_no_speed() {
         }
         for frame in 0..1200 {
             step(&mut scene, &level, fx!(0.25));
-            assert!(frame < 600 || fastest(&scene) < 3, "{trial}, {frame}: {}", fastest(&scene));
+            assert!(frame < 600 || fastest(&scene) < 8, "{trial}, {frame}: {}", fastest(&scene));
         }
     }
 }
@@ -66,13 +66,25 @@ fn a_slow_body_pushes_a_fast_one_by_its_mass() {
     let text = "#".repeat(60) + "\n" + &format!("#{}#\n", ".".repeat(58)).repeat(10) + &"#".repeat(60);
     let level = TileMap::from_ascii(&text, &KINDS).unwrap();
     for (mass, count) in [(255, 1), (255, 3), (255, 8), (20, 1), (20, 8), (1, 1)] {
-        for (speed, gravity) in [(fx!(0.75), fx!(0)), (fx!(1.5), fx!(0)), (fx!(0.75), fx!(0.25))] {
-            let floor = if gravity > 0 { fx!(171) } else { fx!(96) };
+        // Seen from above, on the floor of the level, and on a fixed body.
+        let kinds = [(fx!(0.75), fx!(0), false), (fx!(1.5), fx!(0), false)];
+        for (speed, gravity, fixed) in kinds.into_iter().chain([false, true].map(|on| (fx!(0.75), fx!(0.25), on))) {
+            let floor = if fixed {
+                fx!(155)
+            } else if gravity > 0 {
+                fx!(171)
+            } else {
+                fx!(96)
+            };
             let body = |shape: Shape, key| SceneBody::new(shape, key);
             let mut scene = Swept::new(SortSweep::new());
             let hero = Aabb::from_centre(Vec2::new(fx!(400), floor - fx!(1)), Vec2::from_ints(6, 6)).unwrap();
             let hero = SceneBody { fast: true, mass: NonZeroU8::new(mass), ..body(hero.into(), 1) };
             let hero = scene.insert(&hero).unwrap();
+            if fixed {
+                let bridge = Aabb::new(Vec2::from_ints(20, 160), Vec2::from_ints(900, 170)).unwrap();
+                scene.insert(&SceneBody::fixed(bridge, 99)).unwrap();
+            }
             let walkers: Vec<_> = (0..count)
                 .map(|k: i32| {
                     let at = Vec2::new(fx!(370) - fx!(11) * (k / 3), floor + fx!(11) * (k % 3 - i32::from(count > 1)));
@@ -103,5 +115,89 @@ fn a_slow_body_pushes_a_fast_one_by_its_mass() {
             let most = speed * 400 * count / (i32::from(mass) + count) + speed;
             assert!(far >= 0 && far <= most, "mass {mass}, {count} at {speed}, gravity {gravity}: {far}");
         }
+    }
+}
+
+/// Fast bodies that fall together lead each other, and gain what gravity adds.
+#[test]
+fn a_group_that_falls_gains_speed() {
+    let (mut random, mut lost) = (Random::new(42), fx!(0));
+    let level = TileMap::new(&[b'.'; 4], 2, 2, &TileKinds::EMPTY).unwrap();
+    for trial in 0..40 {
+        let mut scene = Swept::new(SortSweep::new());
+        for key in 0..9 {
+            let mut number = |from: i64, to: i64| Fx::from_bits(random.within(from << 12, to << 12) as i32);
+            let at = Vec2::new(fx!(13) * (key % 3) + number(0, 24), fx!(13) * (key / 3) + number(0, 24));
+            let flat = Vec2::new(number(64, 96), number(64, 96));
+            let shape: Shape = if trial % 2 == 0 {
+                ball(at.x, at.y, flat.x).into()
+            } else {
+                Aabb::from_centre(at, flat).unwrap().into()
+            };
+            let velocity = Vec2::new(number(-32, 32), number(-32, 32));
+            scene.insert(&SceneBody { fast: true, velocity, ..SceneBody::new(shape, key as u32) }).unwrap();
+        }
+        let sum = |scene: &Swept| scene.bodies().map(|(_, body)| body.velocity.y).sum::<Fx>() / 9;
+        let start = sum(&scene);
+        for _ in 0..60 {
+            step(&mut scene, &level, fx!(0.25));
+        }
+        lost += start + fx!(15) - sum(&scene);
+    }
+    assert!(lost.abs() < fx!(0.25) * 40, "{}", lost / 40);
+}
+
+/// Gravity does not act on fast balls that float, so it takes no speed from them.
+#[test]
+fn floating_bodies_keep_their_energy_under_gravity() {
+    let text = "#".repeat(12) + "\n" + &"#..........#\n".repeat(10) + &"#".repeat(12);
+    let level = TileMap::from_ascii(&text, &KINDS).unwrap();
+    let energy = |scene: &Swept| {
+        let of = |v: Vec2| v.x.to_num::<f64>().powi(2) + v.y.to_num::<f64>().powi(2);
+        scene.bodies().map(|(_, body)| of(body.velocity)).sum::<f64>()
+    };
+    let (mut random, mut scene) = (Random::new(43), Swept::new(SortSweep::new()));
+    for key in 0..25 {
+        let mut number = |to: i64| Fx::from_bits(random.within(-to << 12, to << 12) as i32);
+        let at = ball(fx!(32) + fx!(32) * (key % 5), fx!(32) + fx!(32) * (key / 5), fx!(12));
+        let velocity = Vec2::new(number(128), number(128));
+        let body = SceneBody { fast: true, floats: true, surface: Surface::ELASTIC, ..SceneBody::new(at, key as u32) };
+        scene.insert(&SceneBody { velocity, ..body }).unwrap();
+    }
+    let start = energy(&scene);
+    for _ in 0..2000 {
+        step(&mut scene, &level, fx!(0.25));
+    }
+    assert!(energy(&scene) > 0.98 * start, "{} of {start}", energy(&scene));
+}
+
+/// A ball of mass 255 hits a walker that runs into it, before three slow plates. The walker is fast
+/// from then on, and passes none of them.
+#[test]
+fn what_a_fast_body_hits_passes_nothing() {
+    let level = TileMap::new(&[b'.'; 4], 2, 2, &TileKinds::EMPTY).unwrap();
+    for surface in [Surface::SLICK, Surface::ELASTIC] {
+        let mut scene = Swept::new(SortSweep::new());
+        let heavy = NonZeroU8::new(255);
+        let shot = SceneBody {
+            mass: heavy,
+            surface,
+            velocity: Vec2::from_ints(-40, 0),
+            ..SceneBody::new(ball(fx!(430), fx!(0), fx!(6)), 1)
+        };
+        scene.insert(&shot).unwrap();
+        let walker = SceneBody {
+            surface,
+            velocity: Vec2::new(fx!(0.5), fx!(0)),
+            ..SceneBody::new(ball(fx!(400), fx!(0), fx!(5)), 2)
+        };
+        let walker = scene.insert(&walker).unwrap();
+        for (x, key) in [(385, 3), (377, 4), (369, 5)] {
+            let plate = Aabb::from_centre(Vec2::from_ints(x, 0), Vec2::from_ints(2, 20)).unwrap();
+            scene.insert(&SceneBody { mass: heavy, ..SceneBody::new(plate, key) }).unwrap();
+        }
+        step(&mut scene, &level, fx!(0));
+        let place = scene.body(walker).unwrap().shape.position();
+        assert!(place.x > fx!(391.9), "{surface:?}: {place}");
     }
 }
