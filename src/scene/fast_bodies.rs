@@ -382,8 +382,10 @@ where
 }
 
 /// The velocity of a body that others lead, or that waits, after a step in which it `made` a
-/// displacement. If that is less than what gravity adds in two steps, the velocity along gravity is
-/// the displacement, too, but loses no more than those two steps.
+/// displacement.
+///
+/// If that is less than what gravity adds in two steps, the velocity along gravity falls to the
+/// displacement, by no more than those two steps.
 ///
 /// What it lies on, and what presses it there, have stopped it, and each changes its velocity only
 /// once per step. If it kept what gravity adds, a wedged body would store speed in every step, and
