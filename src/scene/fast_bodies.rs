@@ -385,7 +385,7 @@ where
 /// displacement.
 ///
 /// If that is less than what gravity adds in two steps, the velocity along gravity falls to the
-/// displacement, by no more than those two steps.
+/// displacement. It falls by no more than gravity adds in two steps.
 ///
 /// What it lies on, and what presses it there, have stopped it, and each changes its velocity only
 /// once per step. If it kept what gravity adds, a wedged body would store speed in every step, and
