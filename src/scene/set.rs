@@ -91,19 +91,19 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 84 429 | 5 872 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 97 379 | 6 240 | 3 656 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 125 741 | 6 240 | 4 408 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 152 | 3 808 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 7 048 | 4 776 |
+/// | boxes and circles | 86 897 | 5 912 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 99 811 | 6 256 | 3 656 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 128 189 | 6 256 | 4 408 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 176 | 3 808 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 7 072 | 4 784 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 214 218 |
-/// | fly and land, at most | 401 111 |
-/// | lie in nooks of slopes, none may sleep | 826 726 |
-/// | the same, if the scene [remembers](Self::remembering) | 54 373 |
-/// | sleep | 57 |
+/// | fly and land, mean | 211 002 |
+/// | fly and land, at most | 390 132 |
+/// | lie in nooks of slopes, none may sleep | 838 757 |
+/// | the same, if the scene [remembers](Self::remembering) | 53 971 |
+/// | sleep | 58 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
