@@ -125,7 +125,8 @@
 //!   nothing else has stopped. A body slides along the wall against which another one presses it.
 //! - A slow or sleeping body that is hit uses its new velocity from the next step on. But a slow
 //!   body that runs into one that is fast by itself is moved with it in that step, so their masses
-//!   decide. It meets the other slow bodies on its path only if the hit makes it fast.
+//!   decide. It meets the other slow bodies on its path only if the hit makes it fast. This is not
+//!   so for bodies that lie on others.
 //! - A body that others hold where it is loses what gravity adds. So a wedged body stores no speed.
 //! - Sensors on the path are reported, too, each time that a body enters one.
 //! - After meeting three bodies, or after eight events, a body waits for the next step. No body
@@ -139,7 +140,7 @@
 //! the boxes of all fast bodies. In a crowd that presses together, the cost grows faster than the
 //! square of the number of fast bodies. So flag bullets, crushers and the hero, not a crowd. Slow
 //! bodies that run into a fast one cost more in that step, too. If sixty press a hero, the step
-//! takes two to five times as long.
+//! takes two to six times as long.
 //!
 //! ```
 //! use tilesat::scene::{SceneBody, SceneEvent, SortSweepScene};
@@ -166,7 +167,7 @@
 //! - **Bodies sink into others that can move.** A ball that rests between two others overlaps them.
 //!   At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. One that lies
-//!   on others may be pressed into a fast hero for some steps, by up to 3 units.
+//!   on others may be pressed into a fast hero for a step, by up to half of its size.
 //! - **A slow ball feels the seams of flush bodies.** On a row of boxes that touch, a ball or
 //!   capsule gets a small sideways velocity at each seam. Near one it may roll away from rest.
 //!   Flag it as `fast`: it then rolls as on tiles. Floors of tiles and `Solid`s have no seams.

@@ -55,13 +55,15 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     pub(super) fn cut_paths(&mut self, replies: &mut impl Replies) {
         let Self { near, slots, memory, .. } = self;
         let movers = self.awake.get(..self.count).unwrap_or_default();
-        // A body that lies on a fixed one moves as on a floor of the level.
+        // A body that lies on a fixed one moves as on a floor of the level. Not on a lift, and not
+        // if others push it: there it would sink in, unless it moves as a pile does.
         let may_cut = |slots: &[Slot<S>], slot: &Slot<S>| {
-            let on_fixed = || slots.get(usize::from(slot.ground)).is_some_and(|ground| ground.mode == Mode::Fixed);
+            let still = |ground: &Slot<S>| ground.mode == Mode::Fixed && ground.body.velocity == Vec2::ZERO;
+            let on_floor = || slots.get(usize::from(slot.ground)).is_some_and(still);
             slot.is_awake()
                 && match slot.path.pace {
                     Pace::Slow => true,
-                    Pace::Lies => slot.support == 1 && on_fixed(),
+                    Pace::Lies => slot.support == 1 && slot.tally.push() == Vec2::ZERO && on_floor(),
                     _ => false,
                 }
         };

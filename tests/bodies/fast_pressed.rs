@@ -66,9 +66,12 @@ fn a_slow_body_pushes_a_fast_one_by_its_mass() {
     let text = "#".repeat(60) + "\n" + &format!("#{}#\n", ".".repeat(58)).repeat(10) + &"#".repeat(60);
     let level = TileMap::from_ascii(&text, &KINDS).unwrap();
     for (mass, count) in [(255, 1), (255, 3), (255, 8), (20, 1), (20, 8), (1, 1)] {
-        // Seen from above, on the floor of the level, and on a fixed body.
+        // Seen from above, on the floor of the level, and a single one on a fixed body.
         let kinds = [(fx!(0.75), fx!(0), false), (fx!(1.5), fx!(0), false)];
         for (speed, gravity, fixed) in kinds.into_iter().chain([false, true].map(|on| (fx!(0.75), fx!(0.25), on))) {
+            if fixed && count > 1 {
+                continue;
+            }
             let floor = if fixed {
                 fx!(155)
             } else if gravity > 0 {
@@ -199,5 +202,40 @@ fn what_a_fast_body_hits_passes_nothing() {
         step(&mut scene, &level, fx!(0));
         let place = scene.body(walker).unwrap().shape.position();
         assert!(place.x > fx!(391.9), "{surface:?}: {place}");
+    }
+}
+
+/// A hero and slow walkers on a lift that rises: nobody sinks into it by more than a step of it and
+/// gravity.
+#[test]
+fn nobody_sinks_into_a_lift_that_rises() {
+    let level = TileMap::new(&[b'.'; 4], 2, 2, &TileKinds::EMPTY).unwrap();
+    let surface = Surface::new(Ratio::ZERO, Ratio::ONE);
+    for walkers in [1_u8, 2] {
+        let mut scene = Swept::new(SortSweep::new());
+        let boxed =
+            |x: i16, y: i16, w: i16, h: i16| Aabb::from_centre(Vec2::from_ints(x, y), Vec2::from_ints(w, h)).unwrap();
+        let (up, mut place) = (Vec2::from_ints(0, -1), boxed(300, 900, 120, 4));
+        let lift = scene.insert(&SceneBody { velocity: up, surface, ..SceneBody::fixed(place, 1) }).unwrap();
+        let hero = SceneBody { mass: NonZeroU8::new(255), fast: true, ..SceneBody::new(boxed(300, 888, 8, 8), 2) };
+        let mut all = vec![scene.insert(&SceneBody { surface, ..hero }).unwrap()];
+        for k in 0..walkers {
+            let walker = SceneBody::new(boxed([287, 313, 276, 324][usize::from(k)], 891, 5, 5), 3 + u32::from(k));
+            all.push(scene.insert(&SceneBody { surface, ..walker }).unwrap());
+        }
+        for frame in 0..150 {
+            for (k, &walker) in all.iter().enumerate().skip(1) {
+                let y = scene.body(walker).unwrap().velocity.y;
+                let toward = if k % 2 == 1 { fx!(0.75) } else { fx!(-0.75) };
+                scene.set_velocity(walker, Vec2::new(toward, y)).unwrap();
+            }
+            step(&mut scene, &level, fx!(0.25));
+            place = place.translated(up).unwrap();
+            scene.place(lift, place).unwrap();
+            for &body in &all {
+                let deep = scene.body(body).unwrap().shape.aabb().max().y - place.min().y;
+                assert!(deep < fx!(2.5), "{walkers} walkers, {frame}: {deep} in the lift");
+            }
+        }
     }
 }
