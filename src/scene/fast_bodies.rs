@@ -16,6 +16,7 @@ use super::kernel::BodyShape;
 use super::level_of_body::View;
 use super::meeting_time::{Encounter, FirstEnd, each_near, may_meet, senses, stops};
 use super::memory::Remembered;
+use super::pressed::kept_pressed;
 use super::reply::{Replies, Reply};
 use super::through_level::{Touched, Trip, hold_in_place};
 use super::two_paths::{TwoPaths, pushed};
@@ -379,27 +380,4 @@ where
             }
         }
     }
-}
-
-/// The velocity of a body that others lead, or that waits, after a step in which it `made` a
-/// displacement.
-///
-/// If that is less than what gravity adds in two steps, the velocity along gravity falls to the
-/// displacement. It falls by no more than gravity adds in two steps.
-///
-/// What it lies on, and what presses it there, have stopped it, and each changes its velocity only
-/// once per step. If it kept what gravity adds, a wedged body would store speed in every step, and
-/// fly off when it comes free. In a group that falls together, bodies lead each other, too, but
-/// move.
-fn kept_pressed(velocity: Vec2, made: Vec2, weight: Vec2) -> Vec2 {
-    let ((x, y), (made_x, made_y), (g_x, g_y)) = (velocity.raw(), made.raw(), weight.raw());
-    let one = |v: i32, made: i32, g: i32| {
-        let most = g.wrapping_mul(2);
-        match g {
-            ..=-1 if made > most => v.max(made.min(0)).min(v.saturating_sub(most)),
-            1.. if made < most => v.min(made.max(0)).max(v.saturating_sub(most)),
-            _ => v,
-        }
-    };
-    Vec2::from_raw(one(x, made_x, g_x), one(y, made_y, g_y))
 }

@@ -216,8 +216,8 @@ impl<S: BodyShape> Slot<S> {
     /// Begins a company of one. Returns how far it may move. Until the step begins, `hits` of the
     /// representative has that distance, and `under` of each how far a look has reached.
     fn goes_alone(&mut self, handle: Handle, more: u32) -> u16 {
-        let path = size(self.body.velocity).saturating_add(more).saturating_mul(4).saturating_add(QUARTER);
-        (self.tally.link, self.tally.hits, self.tally.under) = (handle.slot() as u16, sixteenths(path), 0);
+        let far = size(self.body.velocity).saturating_add(more).saturating_mul(4).saturating_add(QUARTER);
+        (self.tally.link, self.tally.hits, self.tally.under) = (handle.slot() as u16, sixteenths(far), 0);
         self.tally.hits
     }
 }

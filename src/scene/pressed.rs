@@ -65,3 +65,28 @@ impl Pressed {
 fn held(v: i32, low: i32, high: i32) -> i32 {
     if v < 0 { v.wrapping_add(high).min(0) } else { v.wrapping_add(low).max(0) }
 }
+
+/// The velocity of a body that others lead, or that waits, after a step in which it `made` a
+/// displacement.
+///
+/// If that is less than what gravity adds in two steps, the velocity along gravity falls to the
+/// displacement. It falls by no more than gravity adds in two steps.
+///
+/// What it lies on, and what presses it there, have stopped it, and each changes its velocity only
+/// once per step. If it kept what gravity adds, a wedged body would store speed in every step, and
+/// fly off when it comes free. In a group that falls together, bodies lead each other, too, but
+/// move.
+pub(super) fn kept_pressed(velocity: Vec2, made: Vec2, weight: Vec2) -> Vec2 {
+    let ((x, y), (made_x, made_y), (g_x, g_y)) = (velocity.raw(), made.raw(), weight.raw());
+    let one = |v: i32, made: i32, g: i32| {
+        // Along gravity. Each is a motion: no product wraps.
+        let (along, moved, most) =
+            (v.wrapping_mul(g.signum()), made.wrapping_mul(g.signum()), g.wrapping_abs().wrapping_mul(2));
+        if moved >= most {
+            return v;
+        }
+        let lost = along.wrapping_sub(moved.max(0)).min(most).max(0);
+        v.wrapping_sub(lost.wrapping_mul(g.signum()))
+    };
+    Vec2::from_raw(one(x, made_x, g_x), one(y, made_y, g_y))
+}

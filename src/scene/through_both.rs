@@ -234,10 +234,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> Result<Option<SceneCast>, RangeError> {
         let (shape, rules) = (shape.into(), rules.into());
         let Some(found) = self.first_of_both(level, &shape, motion, rules, &mut wanted)? else { return Ok(None) };
-        let is_free =
-            |path: Raw| matches!(self.first_of_both(level, &shape, path.vec2(), rules, &mut wanted), Ok(None));
-        let path = first_place(Raw::of(found.displacement), Raw::of(motion), 0, is_free);
-        Ok(Some(SceneCast { displacement: path.vec2(), ..found }))
+        let is_free = |by: Raw| matches!(self.first_of_both(level, &shape, by.vec2(), rules, &mut wanted), Ok(None));
+        let by = first_place(Raw::of(found.displacement), Raw::of(motion), 0, is_free);
+        Ok(Some(SceneCast { displacement: by.vec2(), ..found }))
     }
 
     /// What is first, and the displacement up to that alone.

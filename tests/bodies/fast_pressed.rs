@@ -1,22 +1,19 @@
 //! Fast bodies that others press: wedged ones store no speed, and slow ones that run into them
 //! count by their masses.
 
-use super::steps::{Swept, step_with};
+use super::kept_out::ball;
+use super::steps::{Swept, open, step_with};
 use core::num::NonZeroU8;
 use tilesat::broad::SortSweep;
 use tilesat::prelude::*;
 use tilesat::scene::{Reply, SceneBody, Shape};
-use tilesat::{Aabb, Circle, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat::{Aabb, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, Vec2, fx};
 use tilesat_judge::Random;
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
 
 fn step(scene: &mut Swept, level: &TileMap<'_>, gravity: Fx) {
     step_with(scene, level, Vec2::new(Fx::ZERO, gravity), &mut |_| Reply::Meet, &mut |_| ()).unwrap();
-}
-
-fn ball(x: Fx, y: Fx, radius: Fx) -> Circle {
-    Circle::new(Vec2::new(x, y), radius).unwrap()
 }
 
 /// The largest component of the velocities.
@@ -125,7 +122,7 @@ fn a_slow_body_pushes_a_fast_one_by_its_mass() {
 #[test]
 fn a_group_that_falls_gains_speed() {
     let (mut random, mut lost) = (Random::new(42), fx!(0));
-    let level = TileMap::new(&[b'.'; 4], 2, 2, &TileKinds::EMPTY).unwrap();
+    let level = open();
     for trial in 0..40 {
         let mut scene = Swept::new(SortSweep::new());
         for key in 0..9 {
@@ -178,7 +175,7 @@ fn floating_bodies_keep_their_energy_under_gravity() {
 /// from then on, and passes none of them.
 #[test]
 fn what_a_fast_body_hits_passes_nothing() {
-    let level = TileMap::new(&[b'.'; 4], 2, 2, &TileKinds::EMPTY).unwrap();
+    let level = open();
     for surface in [Surface::SLICK, Surface::ELASTIC] {
         let mut scene = Swept::new(SortSweep::new());
         let heavy = NonZeroU8::new(255);
@@ -209,7 +206,7 @@ fn what_a_fast_body_hits_passes_nothing() {
 /// gravity.
 #[test]
 fn nobody_sinks_into_a_lift_that_rises() {
-    let level = TileMap::new(&[b'.'; 4], 2, 2, &TileKinds::EMPTY).unwrap();
+    let level = open();
     let surface = Surface::new(Ratio::ZERO, Ratio::ONE);
     for walkers in [1_u8, 2] {
         let mut scene = Swept::new(SortSweep::new());
