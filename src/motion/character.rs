@@ -230,7 +230,7 @@ impl<B: Body> Character<B> {
     }
 
     /// Whether it falls toward larger y, as on a screen.
-    const fn falls_to_larger_y(&self) -> bool {
+    pub(crate) const fn falls_to_larger_y(&self) -> bool {
         match self.feel.gravity.to_bits() {
             0 => !self.memory.flipped,
             pull => pull > 0,

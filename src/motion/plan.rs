@@ -2,6 +2,7 @@
 
 use super::character::Character;
 use super::feel::{Input, OnLeave};
+use super::walk::CONTACT;
 use super::{Body, Walker};
 use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
@@ -62,6 +63,18 @@ impl<B: Body> Character<B> {
         let made = if stands { carry } else { already_made(velocity, base, carry) };
         let walks = stands && !(jumped || launched || drops);
         Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
+    }
+
+    /// How far the body may come from its position in the next step, on each axis. On a slope a
+    /// walk along x rises or sinks, too: by as much on ground as steep as the mover's default limit.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub(crate) fn reach(&self, input: Input, carry: Vec2) -> Result<u32, RangeError> {
+        let plan = { *self }.plan(input, carry)?;
+        let [x, y] = [plan.velocity.x, plan.velocity.y].map(|c| c.to_bits().unsigned_abs());
+        let [snap, step] = [self.feel.snap, self.feel.step].map(|c| c.to_bits().unsigned_abs());
+        Ok([y, x, snap, step, CONTACT as u32].into_iter().fold(x, u32::saturating_add))
     }
 
     /// Counts the frames since it stood and since it was at a wall, and those for which a press

@@ -4,13 +4,16 @@ use super::blocked_sides::ALL;
 use super::body::{Mode, NOBODY};
 use super::body_path::Drift;
 use super::kernel::BodyShape;
+use super::scene_character::Under;
 use super::set::SleepDifference;
 use super::snapshot::{Kept, Snapshot, Status};
-use super::{Scene, SceneBody, Sleep};
-use crate::broad::{BroadPhase, Keyed};
+use super::{Scene, SceneBody, SceneCharacter, Sleep};
+use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
-use crate::num::{DOMAIN, Fx, Raw};
-use crate::stored::{StoredForm, Version, Wrong, ensure, read, write};
+use crate::motion::{Body, Character};
+use crate::num::{DOMAIN, Fx, Raw, Vec2};
+use crate::stored::{StoredForm, Version, Wrong, ensure, read, stored, write};
+use core::convert::Infallible;
 use heapless::Vec;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -111,6 +114,34 @@ fn agrees<B: BroadPhase<Tag = Keyed<Filter>>, S: BodyShape>(lasting: &Lasting<S>
     let most = x.unsigned_abs().max(y.unsigned_abs());
     ensure(most < 2 * DOMAIN.unsigned_abs(), at, "its velocity is one that no step leaves")
 }
+
+#[derive(Serialize, Deserialize)]
+struct LedCharacter<B: Body> {
+    version: Version,
+    #[serde(bound(serialize = "B: Serialize", deserialize = "B: Deserialize<'de>"))]
+    character: Character<B>,
+    body: Handle,
+    at: Vec2,
+    on: Option<Under>,
+    rides: Option<Under>,
+    carry: Vec2,
+}
+
+impl<B: Body> StoredForm<SceneCharacter<B>> for LedCharacter<B> {
+    type Fault = Infallible;
+
+    fn of(led: &SceneCharacter<B>) -> Self {
+        let SceneCharacter { character, body, at, on, rides, carry } = *led;
+        Self { version: Version, character, body, at, on, rides, carry }
+    }
+
+    fn check(self) -> Result<SceneCharacter<B>, Infallible> {
+        let Self { character, body, at, on, rides, carry, .. } = self;
+        Ok(SceneCharacter { character, body, at, on, rides, carry })
+    }
+}
+
+stored!([B: Body] SceneCharacter<B> as LedCharacter<B>; B);
 
 impl<B: BroadPhase<Tag = Keyed<Filter>> + Copy + Serialize, const N: usize, S: BodyShape + Serialize> Serialize
     for Snapshot<B, N, S>

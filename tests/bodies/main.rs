@@ -26,6 +26,7 @@ mod response_verlet;
 mod rollback;
 mod scene_and_level;
 mod scene_change;
+mod scene_character;
 mod scene_levels;
 mod scene_lifts;
 mod scene_masses;

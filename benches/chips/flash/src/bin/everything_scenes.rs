@@ -4,10 +4,10 @@ use tilesat::broad::{BruteForce, Handle, LooseGrid, Pair, SortSweep, SpatialHash
 use tilesat::motion::Ride;
 use tilesat::prelude::*;
 use tilesat::scene::SceneFault;
-use tilesat::scene::{Reply, SceneEvent, SceneTag, Shape, Sleep, Snapshot, WithCapsules};
+use tilesat::scene::{Reply, SceneCharacter, SceneEvent, SceneTag, Shape, Sleep, Snapshot, WithCapsules};
 use tilesat::shape::AnyShape;
 use tilesat::world::{AllShapes, ConvexSolid, ConvexSolids, Joined, RayRules, SegmentMap, Solids, TileMap, Trail};
-use tilesat::{Aabb, Capsule, Circle, Fx, Inside, OrientedBox, Scene, SceneBody, Solid, Vec2};
+use tilesat::{Aabb, Capsule, Character, Circle, Fx, Input, Inside, OrientedBox, Scene, SceneBody, Solid, Vec2};
 use tilesat_flash::keep;
 
 type Near = SortSweep<16, SceneTag>;
@@ -144,6 +144,18 @@ fn rides() {
     }
 }
 
+fn characters() {
+    keep! {
+        |hero: Character, h: Handle| SceneCharacter::new(hero, h);
+        |hero: &SceneCharacter| (hero.handle(), hero.stands_on());
+        |body: Aabb, key: u32| SceneBody::<Shape>::led(body, key);
+        |hero: &mut SceneCharacter, s: &mut Scene<Near, 16>, l: &TileMap<'_, AllShapes>, lifts: &[Solid], i: Input| hero.lead(s, l, lifts, i);
+        |hero: &mut SceneCharacter, s: &Scene<Near, 16>, l: &TileMap<'_, AllShapes>, lifts: &[Solid]| hero.follow(s, l, lifts);
+        |pill: &mut SceneCharacter<Capsule>, s: &mut Pills, l: &TileMap<'_, AllShapes>, lifts: &[Solid], i: Input| pill.lead(s, l, lifts, i);
+        |pill: &mut SceneCharacter<Capsule>, s: &Pills, l: &TileMap<'_, AllShapes>, lifts: &[Solid]| pill.follow(s, l, lifts);
+    }
+}
+
 fn memory() {
     keep! {
         |near: Near, sleep: Sleep| Remembering::remembering(near, sleep);
@@ -156,4 +168,4 @@ fn memory() {
     }
 }
 
-tilesat_flash::everything!(shapes, phases, levels, sets, rides, memory);
+tilesat_flash::everything!(shapes, phases, levels, sets, rides, characters, memory);
