@@ -65,8 +65,8 @@ impl<B: Body> Character<B> {
         Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
     }
 
-    /// How far the body may come from its position in the next step, on each axis. On a slope a
-    /// walk along x rises or sinks, too: by as much on ground as steep as the mover's default limit.
+    /// How far the body may come from its position in the next step, on each axis. A walk along x
+    /// on a slope rises or sinks, too, by as much at the default slope limit.
     ///
     /// # Errors
     /// As [`step`](Self::step).

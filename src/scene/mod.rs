@@ -241,43 +241,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **A hero**: to put a hero that a [`Walker`](crate::Walker) moves into a scene, insert a body
-//! that [floats](SceneBody::floats), with a mass and zero velocity. In each frame, walk the hero
-//! through the level, `place` its body, call `step`, and continue from the position to which the
-//! scene pushed it. The body never overlaps the level there. The body meets triggers, and pushes
-//! crates into which it walks. A hit changes the velocity of the body in the scene. You may add
-//! that velocity to the walker's; then set it to zero. Do not use a `fixed` body: nothing pushes
-//! it, and it does not meet other fixed bodies. The walker does not know that it stands on a crate,
-//! but [`is_supported`](crate::Scene::is_supported) does.
-//!
-//! ```
-//! use tilesat::scene::{SceneBody, SceneEvent, Shape, SortSweepScene};
-//! use tilesat::{Aabb, Axis, Filter, Mover, TileKind, TileKinds, TileMap, Vec2, Walker, fx};
-//! static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-//! let level = TileMap::from_ascii("........\n........\n########", &KINDS)?; // the floor is at y = 32
-//! let at = |x, y, w, h| Aabb::new(Vec2::from_ints(x, y), Vec2::from_ints(x + w, y + h));
-//! let mut scene = SortSweepScene::<8>::empty();
-//! let mut hero = at(4, 20, 8, 12)?;
-//! let body = scene.insert(&SceneBody { floats: true, ..SceneBody::new(hero, 1) })?;
-//! let box_ = scene.insert(&SceneBody::new(at(40, 22, 10, 10)?, 2))?;
-//! let door = SceneBody { filter: Filter::default().with_sensor(true), ..SceneBody::fixed(at(24, 0, 4, 32)?, 3) };
-//! let door = scene.insert(&door)?;
-//! let (walker, mut floor, mut passed) = (Walker::new(Mover::platformer(Axis::NEG_Y)), None, false);
-//! for _ in 0..40 {
-//!     let walked = walker.walk(&level, &hero, Vec2::from_ints(1, 1), floor)?;
-//!     floor = walked.floor;
-//!     scene.place(body, walked.moved.body)?;
-//!     scene.step(&level, Vec2::new(fx!(0), fx!(0.1)), |event| {
-//!         passed |= matches!(event, SceneEvent::Touch { pair, .. } if (pair.a, pair.b) == (body, door));
-//!     })?;
-//!     scene.set_velocity(body, Vec2::ZERO)?;
-//!     if let Shape::Aabb(pushed) = scene.body(body)?.shape {
-//!         hero = pushed;
-//!     }
-//! }
-//! assert!(passed && scene.body(box_)?.shape.position().x > 41); // it pushes the box
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! **A hero**, or an enemy that walks, is a [`SceneCharacter`]. It stands on the boxes of the
+//! scene, pushes them, and goes along with the box below it. If you move a hero by a
+//! [`Walker`](crate::Walker) of your own, give it a [`led`](SceneBody::led) body. In each frame,
+//! walk through the level, [`place`](Scene::place) the body, and call `step`. Then continue from
+//! the position to which the scene pushed the body, and set its velocity to zero. The body never
+//! overlaps the level there. Do not use a `fixed` body: nothing pushes it, and it does not meet
+//! other fixed bodies. The walker does not know that it stands on a crate, but
+//! [`is_supported`](crate::Scene::is_supported) does.
 //!
 //! **Hitscan, dashes, explosions, cursors**: [`cast_ray_in`](Scene::cast_ray_in) and
 //! [`cast_shape_in`](Scene::cast_shape_in) find what is first on a line: the level or a body.

@@ -130,8 +130,8 @@ impl<B: Body> SceneCharacter<B> {
     /// that carries and pushes the body of the character like all others. Then pass them to `lead`
     /// and `follow`, and step the scene in the level [`Joined`] with them.
     ///
-    /// [`Input::drop`] drops through one-way tiles and lifts, not through boxes. [`Step::wall`] does
-    /// not show a box that the character pushes; the scene reports the contact.
+    /// [`Input::drop`] drops through one-way tiles and lifts, not through boxes. [`Step::wall`]
+    /// does not show a box that the character pushes; the scene reports the contact.
     ///
     /// Cost: one [`Walker::walk`](crate::Walker::walk) in a joined level, a region query, and up to
     /// two overlap tests.

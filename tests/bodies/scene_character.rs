@@ -3,10 +3,13 @@
 
 use super::steps::open;
 use core::num::NonZeroU8;
+use tilesat::broad::SortSweep;
 use tilesat::prelude::*;
-use tilesat::scene::{SceneBody, SceneCharacter, SceneFault, SortSweepScene};
+use tilesat::prelude::*;
+use tilesat::scene::{SceneBody, SceneCharacter, SceneFault, SceneTag, SortSweepScene, WithCapsules};
 use tilesat::{
-    Aabb, Character, Feel, Fx, Input, Joined, Outcome, Solid, Solids, TileKind, TileKinds, TileMap, Vec2, fx,
+    Aabb, Capsule, Character, Feel, Fx, Input, Joined, Outcome, Scene, Solid, Solids, TileKind, TileKinds, TileMap,
+    Vec2, fx,
 };
 use tilesat_judge::Random;
 
@@ -272,7 +275,7 @@ fn a_refused_step_changes_nothing() {
         room.insert(&SceneBody::fixed(rect(k, 10 + k % 5, 1, 1), 10 + k as u32)).unwrap();
     }
     let mut hero = hero(&mut room, 0, 10, 1);
-    let before = (room.clone(), hero);
+    let before = (room, hero);
     let refused = hero.lead(&mut room, &level, &[], Input::running(fx!(6))).unwrap_err();
     assert_eq!((refused.fault, refused.body), (SceneFault::Crowded, Some(hero.handle())));
     assert!(refused.to_string().contains("more than 16"), "{refused}");
@@ -288,6 +291,75 @@ fn a_refused_step_changes_nothing() {
     assert!(hero.lead(&mut room, &level, &[], Input::default()).is_err());
     assert!(hero.follow(&room, &level, &[]).is_err());
     assert_eq!(hero, before);
+}
+
+/// Above and below are one: a scene upside down, with the gravity turned round.
+#[test]
+fn plays_upside_down() {
+    let level = open();
+    let turned = |b: &Aabb| Aabb::new(Vec2::new(b.min().x, -b.max().y), Vec2::new(b.max().x, -b.min().y)).unwrap();
+    for trial in 0..8 {
+        let boxes = [rect(-60, 40, 80, 16), rect(30, 30, 60, 26), rect(-20, 20, 10, 10)];
+        let mut rooms = [Room::empty(), Room::empty()];
+        let mut heroes = rooms.each_mut().map(|room| hero(room, 0, 20, 3));
+        for (room, flipped) in rooms.iter_mut().zip([false, true]) {
+            for (k, b) in boxes.iter().enumerate() {
+                let shape = if flipped { turned(b) } else { *b };
+                let body = SceneBody::new(shape, 2 + k as u32);
+                room.insert(&if k < 2 { SceneBody { mass: None, ..body } } else { body }).unwrap();
+            }
+        }
+        heroes[1].character.feel.gravity = fx!(-0.25);
+        let body = turned(heroes[1].character.body());
+        heroes[1].character.place(body);
+        rooms[1].place(heroes[1].handle(), body).unwrap();
+        heroes[1] = SceneCharacter::new(heroes[1].character, heroes[1].handle());
+        let (mut random, mut input) = (Random::new(trial), Input::default());
+        for k in 0..300 {
+            play(&mut random, &mut input);
+            for ((room, hero), gravity) in rooms.iter_mut().zip(&mut heroes).zip([GRAVITY, -GRAVITY]) {
+                let _ = hero.lead(room, &level, &[], input).unwrap();
+                room.step(&level, gravity, |_| {}).unwrap();
+                hero.follow(room, &level, &[]).unwrap();
+            }
+            assert_eq!(heroes[0].character.body(), &turned(heroes[1].character.body()), "{trial}, {k}");
+            assert_eq!(heroes[0].stands_on(), heroes[1].stands_on(), "{trial}, {k}");
+        }
+    }
+}
+
+/// A capsule runs over boxes as over tiles.
+#[test]
+fn a_capsule_runs_on_boxes_as_on_tiles() {
+    let (above, below) = (open(), "................\n".repeat(4) + &"#".repeat(16));
+    let tiles = TileMap::from_ascii(&below, &KINDS).unwrap(); // the floor is at y = 64
+    let mut scene = Scene::<SortSweep<16, SceneTag>, 16, 0, WithCapsules>::new(SortSweep::new());
+    for k in 0..8 {
+        let shape = rect(32 * k, 64, 32, 16);
+        scene.insert(&SceneBody { mass: None, ..SceneBody::of(shape, 2 + k as u32) }).unwrap();
+    }
+    let body = Capsule::new(Vec2::from_ints(100, 20), Vec2::from_ints(100, 30), fx!(5)).unwrap();
+    let mut other = Character::new(body, rect(-8000, -1000, 16000, 2000), Feel::DEFAULT);
+    let led = scene.insert(&SceneBody::led(body, 1)).unwrap();
+    let mut hero = SceneCharacter::new(other, led);
+    let (mut random, mut input) = (Random::new(3), Input::default());
+    for k in 0..900 {
+        play(&mut random, &mut input);
+        // It stays above the row, and away from its ends.
+        let x = other.position().x;
+        input.run = if x < 40 {
+            fx!(1.5)
+        } else if x > 210 {
+            fx!(-1.5)
+        } else {
+            input.run
+        };
+        let _ = hero.lead(&mut scene, &above, &[], input).unwrap();
+        scene.step(&above, GRAVITY, |_| {}).unwrap();
+        hero.follow(&scene, &above, &[]).unwrap();
+        let _ = other.step(&tiles, input).unwrap();
+        assert_eq!((hero.character.body(), hero.character.on_floor()), (other.body(), other.on_floor()), "{k}");
+    }
 }
 
 /// Random play among crates: never in the level, hardly ever in a crate, and the same in every

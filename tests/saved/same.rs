@@ -7,10 +7,10 @@ use core::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tilesat::broad::{BroadPhase, BruteForce};
-use tilesat::scene::{SceneBody, SceneTag};
+use tilesat::scene::{SceneBody, SceneCharacter, SceneTag, SortSweepScene};
 use tilesat::shape::{AnyShape, Compound};
 use tilesat::{
-    Aabb, Axis, Character, Circle, Input, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx, motion::Memo,
+    Aabb, Axis, Character, Circle, Feel, Fx, Input, Mover, Scene, TileKind, TileKinds, TileMap, Vec2, fx, motion::Memo,
 };
 use tilesat_judge::scenes::{BODIES, check, room};
 
@@ -84,6 +84,26 @@ fn a_hero_goes_on_the_same() {
             assert_eq!(one, other);
         }
     }
+}
+
+/// On a crate that slides: what it rides is a part of its state.
+#[test]
+fn a_character_of_a_scene_goes_on_the_same() {
+    let level = room();
+    let boxed = |y| Aabb::from_size(Vec2::from_ints(20, y), Vec2::from_ints(16, 12)).unwrap();
+    let mut scene = SortSweepScene::<4>::empty();
+    let velocity = Vec2::new(fx!(0.25), Fx::ZERO);
+    scene.insert(&SceneBody { velocity, floats: true, ..SceneBody::new(boxed(40), 1) }).unwrap();
+    let body = scene.insert(&SceneBody::led(boxed(28), 2)).unwrap();
+    let mut hero = SceneCharacter::new(Character::new(boxed(28), level.bounds(), Feel::DEFAULT), body);
+    for frame in 0..40 {
+        let read: SceneCharacter = again(&hero);
+        assert_eq!(read, hero, "{frame}");
+        let _ = hero.lead(&mut scene, &level, &[], Input::default()).unwrap();
+        scene.step(&level, Vec2::ZERO, |_| {}).unwrap();
+        hero.follow(&scene, &level, &[]).unwrap();
+    }
+    assert!(hero.stands_on().is_some() && hero.character.position().x > 25);
 }
 
 /// Caches are not written.
