@@ -5,7 +5,6 @@ use super::steps::open;
 use core::num::NonZeroU8;
 use tilesat::broad::SortSweep;
 use tilesat::prelude::*;
-use tilesat::prelude::*;
 use tilesat::scene::{SceneBody, SceneCharacter, SceneFault, SceneTag, SortSweepScene, WithCapsules};
 use tilesat::{
     Aabb, Capsule, Character, Feel, Fx, Input, Joined, Outcome, Scene, Solid, Solids, TileKind, TileKinds, TileMap,
