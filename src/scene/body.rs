@@ -3,6 +3,7 @@
 use super::Shape;
 use super::blocked_sides::{blocked_sides, still_blocked};
 use super::body_path::{BodyPath, Drift};
+use super::flush_boxes::AtBoxes;
 use super::kernel::BodyShape;
 use crate::broad::{Handle, Keyed};
 use crate::filter::{Filter, LayerMask};
@@ -200,6 +201,7 @@ pub(super) struct Tally {
     pub(super) under: u16,
     /// How far it has come while quiet; kept from step to step.
     pub(super) drift: Drift,
+    pub(super) at_boxes: AtBoxes,
 }
 
 /// No slot.
@@ -297,6 +299,7 @@ impl Tally {
             link: slot,
             under: NOBODY,
             drift: Drift::NONE,
+            at_boxes: AtBoxes::NONE,
         }
     }
 

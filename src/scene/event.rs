@@ -66,8 +66,8 @@ pub struct Stepped {
     pub woken: u16,
     /// Bodies that fell asleep.
     pub slept: u16,
-    /// Pairs of boxes tested, twice if bodies ran into each other. Zero if all sleep. Memory saves
-    /// some of it.
+    /// Pairs of boxes tested, twice if bodies ran into each other. Round bodies at seams of flush
+    /// boxes cost three more tests. Zero if all sleep. Memory saves some of it.
     pub pairs: u32,
     /// Pairs of bodies that touched at the step's start.
     pub touching: u32,

@@ -52,7 +52,8 @@
 //!    its share of the [change of velocity](crate::motion::response::exchange). Of all pushes to
 //!    one side only the longest counts, so two floors push a body no higher than one. Of n changes
 //!    of velocity each counts for 1/n. In a corner of walls along x and y without friction, the
-//!    change of each wall counts whole.
+//!    change of each wall counts whole. Where boxes are flush, the push straight out of one
+//!    leads a round body out of its neighbour, too. It does not feel the corner of that.
 //! 3. Each body is [moved](crate::Mover::move_and_slide) by its push, and then by its velocity. Its
 //!    surface decides how it bounces off the level. It does not bounce if it meets the level at no
 //!    more than the gravity of two steps, because it would jitter there. If a push lifts a body
@@ -168,9 +169,9 @@
 //!   At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. One that lies
 //!   on others may be pressed into a fast hero for a step, by up to half of its size.
-//! - **A slow ball feels the seams of flush bodies.** On a row of boxes that touch, a ball or
-//!   capsule gets a small sideways velocity at each seam. Near one it may roll away from rest.
-//!   Flag it as `fast`: it then rolls as on tiles. Floors of tiles and `Solid`s have no seams.
+//! - **A ball that the game presses against a wall of fixed boxes in each step** may be thrown back
+//!   at a seam. Seen from above, one slide in five loses up to a quarter of its speed. Build such
+//!   walls of tiles or `Solid`s.
 //! - **Slow boxes in a V of slopes may shake for ever**, by up to 3 units per step. Without
 //!   friction two are enough, with a friction of 50 percent four. Flag them as `fast`: then nine
 //!   scenes in ten come to rest.
@@ -373,6 +374,7 @@ mod change;
 mod error;
 mod event;
 mod fast_bodies;
+mod flush_boxes;
 mod idle;
 mod kept_out;
 mod kernel;

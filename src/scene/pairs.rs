@@ -4,6 +4,7 @@
 use super::blocked_sides::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::body_path::Pace;
+use super::flush_boxes::{is_flush, note_box};
 use super::kernel::BodyShape;
 use super::meeting_time::senses;
 use super::reply::{Replies, Reply};
@@ -39,10 +40,11 @@ pub(super) fn collect_effects<S: BodyShape>(
     gravity: Vec2,
     (carried, reply): (bool, Reply),
 ) -> bool {
-    let Some((a, b)) = both(slots, pair) else { return false };
+    let Some((a, b)) = both(slots, pair).filter(|(a, b)| !is_flush(a, b, contact.axis())) else { return false };
     let Some(meeting) = Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity) else { return false };
     let (by_a, by_b) = parted(contact, &meeting, (a.blocked, b.blocked), || tried_part(a, b, gravity));
     let is_hit = if carried { meeting.lands(gravity) } else { meeting.is_hit() };
+    note_box(slots, pair, contact.axis(), is_hit || !carried);
     for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
         if !carried {
@@ -104,7 +106,10 @@ pub(super) fn collect_kicks<S: BodyShape, R: Replies>(
         return;
     }
     let Some(contact) = a.body.shape.contact(&b.body.shape) else { return };
-    let carried = upper(a, b, Some(&contact), gravity).is_some_and(|top| is_carried(a, b, top));
+    if is_flush(a, b, contact.axis()) {
+        return;
+    }
+    let carried = is_carried_in(a, b, &contact, gravity);
     let hit = |meeting: &Meeting| if carried { meeting.lands(gravity) } else { meeting.is_hit() };
     let met = |reply| Meeting::of_pile(slots, a, b, (contact.axis(), reply), gravity).filter(hit);
     // Most pairs that touch do not approach, whatever the reply is, so this is tested first.
@@ -168,6 +173,11 @@ fn upper<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, contact: Option<&Contact>, grav
 fn is_carried<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, top: Top) -> bool {
     let (upper, lower) = if top == Top::A { (a, b) } else { (b, a) };
     lower.support != ALOFT && !upper.leads_fast()
+}
+
+/// Whether two overlapping bodies are left until those below have made their steps.
+pub(super) fn is_carried_in<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, contact: &Contact, gravity: Vec2) -> bool {
+    upper(a, b, Some(contact), gravity).is_some_and(|top| is_carried(a, b, top))
 }
 
 /// Two bodies that touch rest together. A fixed one joins no body.

@@ -6,6 +6,7 @@
 
 use super::body::{ALOFT, Mode, Slot, UNSETTLED};
 use super::body_path::{Drift, Pace, size};
+use super::flush_boxes::{WayOut, is_corner, rolls_on};
 use super::kept_out::Before;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
@@ -82,6 +83,16 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
     if let Ok([a, b]) = movers.get_disjoint_mut([a, b]) {
         core::mem::swap(a, b);
     }
+}
+
+/// The carriers that a body overlaps.
+struct MetCarriers {
+    /// How many of them it runs into, and one of these.
+    hits: u16,
+    last: Option<(Handle, Meeting)>,
+    /// Whether it meets a corner, and the way out of the sides that it meets.
+    corner: bool,
+    out: WayOut,
 }
 
 struct Pile<'a, B, V, S, const M: usize> {
@@ -167,33 +178,23 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         before: (Vec2, (u8, Drift)),
         replies: &mut impl Replies,
     ) -> Result<(), SceneFault> {
-        let (slots, gravity) = (&*self.slots, self.trip.gravity);
-        let (mut hits, mut last) = (0, None);
+        let gravity = self.trip.gravity;
         let it = *slot;
-        self.below((handle, &it), replies, |other, lower, (contact, reply)| {
-            let (_, by) = separate(contact, Masses::A_FIXED.share_of_a());
-            slot.tally.pushed(still_touching(by, contact.axis()));
-            slot.lie_on(slots, lower, other);
-            if let Some(meeting) = Meeting::of_pile(slots, lower, &it, (contact.axis(), reply), gravity) {
-                if meeting.is_hit() {
-                    (hits, last) = (hits + 1, Some((other, meeting)));
-                }
-            }
-        });
+        let mut met = self.meet_carriers((handle, &it), slot, (WayOut::NONE, 0), replies);
+        if met.corner && met.out != WayOut::NONE {
+            (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
+            met = self.meet_carriers((handle, &it), slot, (met.out, 0), replies);
+        }
+        let MetCarriers { hits, last, out, .. } = met;
         let lies = slot.support != ALOFT;
-        if let (1, Some((other, meeting))) = (hits, &last) {
+        if let (1, Some((other, meeting))) = (hits, last) {
             let (by_lower, by) = meeting.kicks(1);
             slot.body.velocity += by;
             if let Some(lower) = self.slots.get_mut(other.slot()) {
                 lower.body.velocity += by_lower;
             }
         } else if hits > 1 {
-            self.below((handle, &it), replies, |_, lower, (contact, reply)| {
-                let meeting = Meeting::onto(self.slots, lower, &it, (contact.axis(), reply), gravity);
-                if meeting.is_hit() {
-                    slot.body.velocity += meeting.kicks(hits).1;
-                }
-            });
+            self.meet_carriers((handle, &it), slot, (out, hits), replies);
         }
         let mut push = slot.tally.push();
         if push != Vec2::ZERO {
@@ -220,10 +221,52 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         Ok(())
     }
 
-    /// The carriers of a body that it overlaps at their new positions.
+    /// Pushes a body out of its carriers, and finds those that it runs into. Once their number is
+    /// known, it changes the velocity instead. Corners that `out` [leads out of](WayOut::clears) do
+    /// not count.
+    #[inline(never)]
+    fn meet_carriers(
+        &self,
+        (handle, it): (Handle, &Slot<S>),
+        slot: &mut Slot<S>,
+        (out, known_hits): (WayOut, u16),
+        replies: &mut impl Replies,
+    ) -> MetCarriers {
+        let gravity = self.trip.gravity;
+        let mut met = MetCarriers { hits: 0, last: None, corner: false, out: WayOut::NONE };
+        self.below((handle, it), out, replies, |other, lower, (contact, reply)| {
+            if known_hits > 0 {
+                let meeting = Meeting::onto(self.slots, lower, it, (contact.axis(), reply), gravity);
+                if meeting.is_hit() {
+                    slot.body.velocity += meeting.kicks(known_hits).1;
+                }
+                return;
+            }
+            let (_, by) = separate(contact, Masses::A_FIXED.share_of_a());
+            if rolls_on(it, lower) {
+                if is_corner(contact.axis()) {
+                    met.corner = true;
+                } else {
+                    met.out.add(by);
+                }
+            }
+            slot.tally.pushed(still_touching(by, contact.axis()));
+            slot.lie_on(self.slots, lower, other);
+            if let Some(meeting) = Meeting::of_pile(self.slots, lower, it, (contact.axis(), reply), gravity) {
+                if meeting.is_hit() {
+                    (met.hits, met.last) = (met.hits + 1, Some((other, meeting)));
+                }
+            }
+        });
+        met
+    }
+
+    /// The carriers of a body that it overlaps at their new positions, without the corners that
+    /// `out` leads out of.
     fn below(
         &self,
         upper: (Handle, &Slot<S>),
+        out: WayOut,
         replies: &mut impl Replies,
         mut each: impl FnMut(Handle, &Slot<S>, (&Contact, Reply)),
     ) {
@@ -234,7 +277,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             if !carries || senses(slot, lower) {
                 return;
             }
-            let Some(contact) = lower.comes_to(gravity).contact(&slot.body.shape) else { return };
+            let shape = lower.comes_to(gravity);
+            let Some(contact) = shape.contact(&slot.body.shape) else { return };
+            if rolls_on(slot, lower) && is_corner(contact.axis()) && out.clears(&slot.body.shape, &shape) {
+                return;
+            }
             if Top::of(contact.axis(), toward(gravity)) == Top::B {
                 let reply = replies.to(pair(upper, (other, lower)));
                 if reply.acts() {

@@ -3,13 +3,14 @@
 use super::body::{Mode, NOBODY, Slot, Tally, UNSETTLED};
 use super::body_path::{BodyPath, Pace};
 use super::change::add_to_awake;
+use super::flush_boxes::{Look, clear_before, look_again};
 use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
 use super::kept_out::{Before, fixed_margin};
 use super::kernel::BodyShape;
 use super::level_of_body::{Common, EachLevel, EachLevelTraced, View};
 use super::meeting_time::{around, may_meet, pair, senses};
 use super::memory::{Remembered, keep};
-use super::pairs::{both, collect_effects, collect_kicks, each_pair, join, note_who_lies, root};
+use super::pairs::{both, collect_effects, each_pair, join, note_who_lies, root};
 use super::piles::ground_under;
 use super::reply::{Answer, ByCall, Replies, Reply, Unasked};
 use super::resting::{NEAR, join_leaning, leans};
@@ -277,13 +278,18 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
                 hits |= collect_effects(slots, pair, &contact, gravity, (carried, reply));
             }
         });
-        if hits {
+        let awake = (&*movers, room.get(..woken).unwrap_or_default());
+        let mut again = stepped.overlapping > 0;
+        for look in Look::ALL {
+            again = again && clear_before(look, slots, memory, awake);
+            if !(if look == Look::Kicks { hits } else { again }) {
+                continue;
+            }
             each_pair(&mut self.near, movers, |pair| {
                 stepped.pairs += 1;
-                if are_idle(memory, slots, pair) {
-                    return;
+                if !are_idle(memory, slots, pair) {
+                    look_again(look, slots, pair, gravity, replies);
                 }
-                collect_kicks(slots, pair, gravity, replies);
             });
         }
         self.count += woken;

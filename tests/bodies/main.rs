@@ -41,6 +41,7 @@ mod scene_sleep;
 mod scene_snapshot;
 mod scene_solids;
 mod scripts;
+mod seams;
 mod sort_sweep;
 mod steps;
 mod sums;
