@@ -1,9 +1,9 @@
 //! The bodies of a scene: the values that a game sets, and the state that steps keep.
 
 use super::Shape;
+use super::at_boxes::AtBoxes;
 use super::blocked_sides::{blocked_sides, still_blocked};
 use super::body_path::{BodyPath, Drift};
-use super::flush_boxes::AtBoxes;
 use super::kernel::BodyShape;
 use crate::broad::{Handle, Keyed};
 use crate::filter::{Filter, LayerMask};

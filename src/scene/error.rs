@@ -16,9 +16,6 @@ pub struct SceneError {
     pub fault: SceneFault,
 }
 
-/// The most boxes and lifts in reach of a [`SceneCharacter`](super::SceneCharacter).
-pub(super) const REACHED: usize = 16;
-
 /// The reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -28,9 +25,6 @@ pub enum SceneFault {
     Broad(BroadError),
     /// The body already overlaps the level, would leave the domain, or is too fast or too large.
     Move(MoveError),
-    /// More boxes and lifts are in reach of a [`SceneCharacter`](super::SceneCharacter) than it
-    /// takes.
-    Crowded,
 }
 
 impl SceneError {
@@ -76,11 +70,6 @@ impl fmt::Display for SceneFault {
         match self {
             Self::Broad(e) => e.fmt(f),
             Self::Move(e) => e.fmt(f),
-            Self::Crowded => write!(
-                f,
-                "more than {REACHED} boxes and lifts are in reach of the character in one step: use fewer and \
-                 larger ones, or move it slower"
-            ),
         }
     }
 }

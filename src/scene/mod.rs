@@ -170,7 +170,7 @@
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. One that lies
 //!   on others may be pressed into a fast hero for a step, by up to half of its size.
 //! - **A ball that the game presses against a wall of fixed boxes in each step** may be thrown back
-//!   at a seam. Seen from above, one slide in five loses up to a quarter of its speed. Build such
+//!   at a seam. Seen from above, one slide in five loses up to 30 percent of its speed. Build such
 //!   walls of tiles or `Solid`s.
 //! - **Slow boxes in a V of slopes may shake for ever**, by up to 3 units per step. Without
 //!   friction two are enough, with a friction of 50 percent four. Flag them as `fast`: then nine
@@ -367,6 +367,7 @@
 //! [`PairEvents`](crate::broad::PairEvents), [`Exceptions`](crate::broad::Exceptions), solids, and
 //! the bytes of tiles that change.
 
+mod at_boxes;
 mod blocked_sides;
 mod body;
 mod body_path;
@@ -385,10 +386,12 @@ mod pairs;
 mod piles;
 mod pressed;
 mod query;
+mod reached;
 mod reply;
 mod resting;
 mod ride;
 mod scene_character;
+mod seams;
 mod set;
 mod shape;
 mod snapshot;

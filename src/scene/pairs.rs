@@ -1,10 +1,11 @@
 //! How the contacts at the start of a step affect two bodies: which pushes the other, which lies on
 //! the other, and which rest together.
 
+use super::at_boxes::AtBoxes;
 use super::blocked_sides::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::body_path::Pace;
-use super::flush_boxes::{is_flush, note_box};
+use super::flush_boxes::{is_corner, is_flush, rolls_on};
 use super::kernel::BodyShape;
 use super::meeting_time::senses;
 use super::reply::{Replies, Reply};
@@ -12,7 +13,7 @@ use super::velocities::{Meeting, Top, toward};
 use crate::broad::{BroadPhase, Handle, Pair};
 use crate::motion::Masses;
 use crate::motion::response::separate;
-use crate::num::Vec2;
+use crate::num::{Axis, Vec2};
 use crate::query::Contact;
 
 /// All pairs with at least one awake body: selected by the tags of the others, or one by one if the
@@ -30,6 +31,25 @@ pub(super) fn each_pair<B: BroadPhase>(near: &mut B, movers: &[Handle], each: im
 pub(super) fn both<S>(slots: &[Slot<S>], pair: Pair) -> Option<(&Slot<S>, &Slot<S>)> {
     let (a, b) = (slots.get(pair.a.slot())?, slots.get(pair.b.slot())?);
     (a.mode != Mode::Free && b.mode != Mode::Free).then_some((a, b))
+}
+
+/// The body of a pair that rolls, if the other one is a box.
+pub(super) fn round_at_box<S: BodyShape>(slots: &[Slot<S>], pair: Pair) -> Option<Handle> {
+    let (a, b) = both(slots, pair)?;
+    if rolls_on(a, b) { Some(pair.a) } else { rolls_on(b, a).then_some(pair.b) }
+}
+
+/// Notes how a round body meets a box, until it is known whether the boxes are flush. A corner
+/// without an effect is not noted.
+fn note_box<S: BodyShape>(slots: &mut [Slot<S>], pair: Pair, axis: Axis, acts: bool) {
+    let round = round_at_box(slots, pair).and_then(|at| slots.get_mut(at.slot()));
+    if let Some(Slot { tally, .. }) = round.filter(|slot| slot.tally.at_boxes.0 != AtBoxes::FLUSH) {
+        tally.at_boxes.0 |= match (is_corner(axis), acts) {
+            (true, true) => AtBoxes::CORNER,
+            (true, false) => 0,
+            (false, _) => AtBoxes::SIDE,
+        };
+    }
 }
 
 /// Collects the effects of a contact on two bodies. Returns whether they approach.

@@ -1,18 +1,15 @@
 //! A character among the bodies of a scene: it stands on boxes, and pushes them.
 
-use super::body::Slot;
-use super::error::REACHED;
 use super::kernel::BodyShape;
-use super::meeting_time::{around, may_meet, senses};
-use super::{Scene, SceneBody, SceneError, SceneFault};
+use super::level_of_body::sliding;
+use super::reached::{Boxes, Reached};
+use super::{Scene, SceneBody, SceneError};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
-use crate::motion::{Body, Character, Input, Step};
+use crate::motion::{Body, Character, Input, Mover, Step};
 use crate::num::{Fx, Vec2};
-use crate::query::{Overlaps, Touches};
 use crate::shape::Aabb;
 use crate::world::{Joined, Solid, Solids, World};
-use heapless::Vec;
 
 /// A [`Character`] and its body in a [`Scene`]. The character moves by its own rules, stands on the
 /// boxes of the scene, and pushes them.
@@ -70,7 +67,8 @@ pub struct SceneCharacter<B = Aabb> {
     /// or its body.
     pub character: Character<B>,
     pub(super) body: Handle,
-    /// Where the scene's body was when the character was last moved to it.
+    /// The positions of the character and of its body after the last call.
+    pub(super) seen: Vec2,
     pub(super) at: Vec2,
     /// The box that it stands on.
     pub(super) on: Option<Under>,
@@ -105,7 +103,8 @@ impl<B: Body> SceneCharacter<B> {
     /// A character, and the [`led`](SceneBody::led) body that was inserted at its position.
     #[must_use]
     pub fn new(character: Character<B>, body: Handle) -> Self {
-        Self { at: character.position(), character, body, on: None, rides: None, carry: Vec2::ZERO }
+        let at = character.position();
+        Self { character, body, seen: at, at, on: None, rides: None, carry: Vec2::ZERO }
     }
 
     /// Its body in the scene, for events and [`Scene::remove`].
@@ -137,10 +136,8 @@ impl<B: Body> SceneCharacter<B> {
     /// two overlap tests.
     ///
     /// # Errors
-    /// - The errors of [`Character::step`], and of [`Scene::place`].
-    /// - [`Crowded`](SceneFault::Crowded) if more than 16 boxes and lifts are in reach.
-    ///
-    /// The character and the scene are then unchanged.
+    /// The errors of [`Character::step`], and of [`Scene::place`]. The character and the scene are
+    /// then unchanged.
     pub fn lead<W, P, S, const N: usize, const M: usize>(
         &mut self,
         scene: &mut Scene<P, N, M, S>,
@@ -158,13 +155,16 @@ impl<B: Body> SceneCharacter<B> {
         if !next.character.on_floor() {
             next.rides = None;
         }
-        let made = next.catch_up(scene, &Joined::new(level, &Solids::new(lifts)))?;
-        let carry = next.carry + made;
-        let reached = next.reached(scene, lifts, input, carry)?;
-        let solids = Solids::new(&reached.solids);
-        let step = next.character.step_carried(&Joined::new(level, &solids), input, carry);
+        let made = next.catch_up(scene, level, lifts)?.made;
+        let carry = next.carry + if next.goes_along(made) { made } else { Vec2::ZERO };
+        let far = next.character.reach(input, carry).map_err(|e| SceneError::of(self.body, e))?;
+        let boxes = Boxes::AndBelow { larger_y: next.character.falls_to_larger_y() };
+        let reached = Reached::of(scene, (self.body, &next.bounds()), lifts, far, boxes);
+        let solids = reached.solids();
+        let world = Solids::new(&solids);
+        let step = next.character.step_carried(&Joined::new(level, &world), input, carry);
         let step = step.map_err(|e| SceneError::of(self.body, e))?;
-        let on = next.character.ridden().and_then(|key| reached.below(key, &(*next.character.body()).into()));
+        let on = next.character.ridden().and_then(|key| reached.body(key));
         next.on = on.and_then(|body| Under { body, at: Vec2::ZERO }.now(scene));
         next.put(scene)?;
         *self = next;
@@ -172,11 +172,14 @@ impl<B: Body> SceneCharacter<B> {
     }
 
     /// Moves the character to where the scene's step left its body, and with the box that it stands
-    /// on. Call it after the step, with the same lifts.
+    /// on. Call it once after the step, with the same lifts.
     ///
-    /// Returns how far the other bodies moved it. Along its run this is negative while it pushes
-    /// something. What a hit adds to the velocity of its body is there until the next `lead`, to
-    /// knock the character back.
+    /// Returns how far the other bodies pushed it: against its run while it pushes something. An
+    /// enemy turns round if that is nearly all of its run. Along y, a push takes as much of the
+    /// character's velocity against it. What a hit adds to the velocity of its *body* is there
+    /// until the next `lead`, to knock the character back.
+    ///
+    /// Cost: an overlap test if others pushed it; a motion in the level if a box carried it.
     ///
     /// # Errors
     /// [`Stale`](crate::broad::BroadError::Stale) if its body was removed. The character is then
@@ -192,20 +195,25 @@ impl<B: Body> SceneCharacter<B> {
         P: BroadPhase<Tag = Keyed<Filter>>,
         S: BodyShape,
     {
-        let made = self.catch_up(scene, &Joined::new(level, &Solids::new(lifts)))?;
+        let Caught { pushed, .. } = self.catch_up(scene, level, lifts)?;
         let now = self.on.and_then(|on| on.now(scene));
         self.carry = self.on.zip(now).map_or(Vec2::ZERO, |(was, is)| is.at - was.at);
         (self.on, self.rides) = (now, now);
-        Ok(made)
+        let fall = &mut self.character.velocity.y;
+        if fall.signum() == -pushed.y.signum() {
+            *fall = if pushed.y.unsigned_abs() < fall.unsigned_abs() { *fall + pushed.y } else { Fx::ZERO };
+        }
+        Ok(pushed)
     }
 
-    /// Moves the character by what its body and the box that it rides have moved since it was last
-    /// there, if there is room. Returns its motion.
+    /// Moves the character by what its body and the box that it rides have moved since the last
+    /// call, as far as the level, the lifts and fixed boxes allow.
     fn catch_up<W, P, S, const N: usize, const M: usize>(
         &mut self,
         scene: &Scene<P, N, M, S>,
         level: &W,
-    ) -> Result<Vec2, SceneError>
+        lifts: &[Solid],
+    ) -> Result<Caught, SceneError>
     where
         W: World,
         P: BroadPhase<Tag = Keyed<Filter>>,
@@ -214,34 +222,56 @@ impl<B: Body> SceneCharacter<B> {
         let at = scene.body(self.body)?.shape.position();
         let pushed = at - self.at;
         self.at = at;
+        if self.character.position() != self.seen {
+            // The game has put it elsewhere, or changed its shape.
+            (self.on, self.rides, self.carry) = (None, None, Vec2::ZERO);
+            self.seen = self.character.position();
+            return Ok(Caught { made: Vec2::ZERO, pushed: Vec2::ZERO });
+        }
         let now = self.rides.and_then(|on| on.now(scene));
         let carried = self.rides.zip(now).map_or(Vec2::ZERO, |(was, is)| is.at - was.at);
         let carried = if self.goes_along(carried) { carried } else { Vec2::ZERO };
         self.rides = now;
-        // A box that rises pushes the body as well: the motions are not added.
-        let both = Vec2::new(together(pushed.x, carried.x), together(pushed.y, carried.y));
-        let made = [both, pushed, carried].into_iter().find(|by| *by == Vec2::ZERO || self.shift(level, *by));
-        Ok(made.unwrap_or(Vec2::ZERO))
+        if carried == Vec2::ZERO {
+            // The scene has moved its body exactly.
+            if pushed != Vec2::ZERO {
+                self.shift(pushed, |body| !body.overlaps_world(&Joined::new(level, &Solids::new(lifts))));
+            }
+        } else {
+            // A box that rises pushes the body as well: the motions are not added.
+            let both = Vec2::new(together(pushed.x, carried.x), together(pushed.y, carried.y));
+            let far = both.x.unsigned_abs().max(both.y.unsigned_abs()).to_bits();
+            let solids = Reached::of(scene, (self.body, &self.bounds()), lifts, far, Boxes::Fixed).solids();
+            let (mover, body) = (sliding(Mover::new()), *self.character.body());
+            let world = Solids::new(&solids);
+            if let Ok(moved) = mover.move_and_slide(&Joined::new(level, &world), &body, both) {
+                self.shift(moved.body.position() - body.position(), |_| true);
+            }
+        }
+        let made = self.character.position() - self.seen;
+        self.seen = self.character.position();
+        Ok(Caught { made, pushed })
     }
 
-    /// Whether a box below the character carries it by a motion. The box does not if it sinks by
-    /// more than the snap. It does not either if the motion is longer than the character, which
-    /// could pass a wall: the game has put the box elsewhere.
+    /// Whether a motion of what is below it takes it along. The game has put elsewhere what moves
+    /// by more than the character's own size. What sinks by more than the snap leaves it behind.
     fn goes_along(&self, by: Vec2) -> bool {
-        let bounds = self.character.body().bounds();
+        let bounds = self.bounds();
         let size = bounds.max() - bounds.min();
-        let sinks = if self.character.falls_to_larger_y() { by.y } else { Fx::ZERO - by.y };
+        let sinks = if self.character.falls_to_larger_y() { by.y } else { -by.y };
         sinks <= self.character.feel.snap && by.x.abs() <= size.x && by.y.abs() <= size.y
     }
 
+    fn bounds(&self) -> Aabb {
+        self.character.body().bounds()
+    }
+
     /// Moves the character, if there is room.
-    fn shift<W: World>(&mut self, level: &W, by: Vec2) -> bool {
+    fn shift(&mut self, by: Vec2, fits: impl Fn(&B) -> bool) {
         let mut next = self.character;
-        let fits = next.translate(by, next.limits()).is_ok() && !next.body().overlaps_world(level);
-        if fits {
+        if next.translate(by, next.limits()).is_ok() && fits(next.body()) {
             self.character = next;
         }
-        fits
     }
 
     /// Puts its body where the character is, at rest. A body that is there already is not touched,
@@ -256,73 +286,18 @@ impl<B: Body> SceneCharacter<B> {
         if (body.shape, body.velocity) != (shape, Vec2::ZERO) {
             scene.alter(self.body, |body| (body.shape, body.velocity) = (shape, Vec2::ZERO))?;
         }
-        self.at = self.character.position();
+        self.seen = self.character.position();
+        self.at = self.seen;
         Ok(())
     }
-
-    /// The boxes and lifts that the next step of the character may meet.
-    fn reached<P, S, const N: usize, const M: usize>(
-        &self,
-        scene: &Scene<P, N, M, S>,
-        lifts: &[Solid],
-        input: Input,
-        carry: Vec2,
-    ) -> Result<Reached, SceneError>
-    where
-        P: BroadPhase<Tag = Keyed<Filter>>,
-        S: BodyShape,
-        B: Into<S>,
-    {
-        let far = self.character.reach(input, carry).map_err(|e| SceneError::of(self.body, e))?;
-        let shape: S = (*self.character.body()).into();
-        let region = around(&shape.aabb(), far);
-        let (mut reached, mut fits) = (Reached { solids: Vec::new(), bodies: Vec::new() }, true);
-        for lift in lifts.iter().filter(|lift| lift.shape().touches(&region)) {
-            fits &= reached.solids.push(*lift).is_ok();
-        }
-        let own = scene.slots.get(self.body.slot());
-        scene.near.in_region(&region, |other| {
-            let (Some(own), Some(slot)) = (own, scene.slots.get(other.slot())) else { return };
-            if other == self.body || senses(own, slot) || !may_meet(own, slot) {
-                return;
-            }
-            if let Some(solid) = self.floor_of(slot, &shape.aabb()) {
-                fits &= reached.solids.push(solid).is_ok() && reached.bodies.push(other).is_ok();
-            }
-        });
-        if fits { Ok(reached) } else { Err(SceneError::of(self.body, SceneFault::Crowded)) }
-    }
-
-    /// The solid that a body is for the character. One that can move counts only from above. As a
-    /// one-way solid, it would let through a character that drops.
-    fn floor_of<S: BodyShape>(&self, slot: &Slot<S>, body: &Aabb) -> Option<Solid> {
-        let bounds = slot.body.shape.aabb();
-        let above = if self.character.falls_to_larger_y() {
-            body.hi().y <= bounds.lo().y
-        } else {
-            body.lo().y >= bounds.hi().y
-        };
-        let is_box = slot.body.shape == bounds.into();
-        let blocks = is_box && (above || (slot.body.mass.is_none() && !body.overlaps(&bounds)));
-        let key = u16::try_from(slot.body.key).unwrap_or(u16::MAX);
-        Solid::new(bounds, key).ok().filter(|_| blocks)
-    }
 }
 
-/// What a step of a character may meet: lifts first, then the boxes of bodies.
-struct Reached {
-    solids: Vec<Solid, REACHED>,
-    bodies: Vec<Handle, REACHED>,
-}
-
-impl Reached {
-    /// The body whose box has a key and touches a shape.
-    fn below<S: BodyShape>(&self, key: u16, shape: &S) -> Option<Handle> {
-        let lifts = self.solids.len().saturating_sub(self.bodies.len());
-        let holds = |solid: &Solid| solid.key() == key && shape.aabb().touches(&solid.shape());
-        let at = self.solids.iter().position(holds)?;
-        self.bodies.get(at.checked_sub(lifts)?).copied()
-    }
+/// How a character was moved since the last call.
+struct Caught {
+    /// By all.
+    made: Vec2,
+    /// By the bodies that pushed it.
+    pushed: Vec2,
 }
 
 /// Two motions of one body along one axis. Of two to the same side, the farther one counts.

@@ -3,7 +3,6 @@
 use super::body::{Mode, NOBODY, Slot, Tally, UNSETTLED};
 use super::body_path::{BodyPath, Pace};
 use super::change::add_to_awake;
-use super::flush_boxes::{Look, clear_before, look_again};
 use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
 use super::kept_out::{Before, fixed_margin};
 use super::kernel::BodyShape;
@@ -14,6 +13,7 @@ use super::pairs::{both, collect_effects, each_pair, join, note_who_lies, root};
 use super::piles::ground_under;
 use super::reply::{Answer, ByCall, Replies, Reply, Unasked};
 use super::resting::{NEAR, join_leaning, leans};
+use super::seams::{SeamLook, clear_before, look_again};
 use super::set::Sleep;
 use super::through_level::Trip;
 use super::{Scene, SceneBody, SceneError, SceneEvent, Stepped};
@@ -280,9 +280,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         });
         let awake = (&*movers, room.get(..woken).unwrap_or_default());
         let mut again = stepped.overlapping > 0;
-        for look in Look::ALL {
+        for look in SeamLook::ALL {
             again = again && clear_before(look, slots, memory, awake);
-            if !(if look == Look::Kicks { hits } else { again }) {
+            if !(if look == SeamLook::Kicks { hits } else { again }) {
                 continue;
             }
             each_pair(&mut self.near, movers, |pair| {

@@ -121,6 +121,7 @@ struct LedCharacter<B: Body> {
     #[serde(bound(serialize = "B: Serialize", deserialize = "B: Deserialize<'de>"))]
     character: Character<B>,
     body: Handle,
+    seen: Vec2,
     at: Vec2,
     on: Option<Under>,
     rides: Option<Under>,
@@ -131,13 +132,13 @@ impl<B: Body> StoredForm<SceneCharacter<B>> for LedCharacter<B> {
     type Fault = Infallible;
 
     fn of(led: &SceneCharacter<B>) -> Self {
-        let SceneCharacter { character, body, at, on, rides, carry } = *led;
-        Self { version: Version, character, body, at, on, rides, carry }
+        let SceneCharacter { character, body, seen, at, on, rides, carry } = *led;
+        Self { version: Version, character, body, seen, at, on, rides, carry }
     }
 
     fn check(self) -> Result<SceneCharacter<B>, Infallible> {
-        let Self { character, body, at, on, rides, carry, .. } = self;
-        Ok(SceneCharacter { character, body, at, on, rides, carry })
+        let Self { character, body, seen, at, on, rides, carry, .. } = self;
+        Ok(SceneCharacter { character, body, seen, at, on, rides, carry })
     }
 }
 

@@ -1,0 +1,153 @@
+//! The boxes and lifts that a character of a scene may meet in a step.
+
+use super::body::Slot;
+use super::kernel::BodyShape;
+use super::meeting_time::{around, may_meet, senses};
+use super::{Scene, SceneBody};
+use crate::broad::{BroadPhase, Handle, Keyed};
+use crate::filter::Filter;
+use crate::query::{Overlaps, Touches};
+use crate::shape::Aabb;
+use crate::world::Solid;
+use heapless::Vec;
+
+/// The most boxes and lifts that count. Of more, the nearest do.
+const MOST: usize = 16;
+
+/// The smallest key of a box of a body in the list. A list of its own numbers them by the keys of
+/// their bodies, which may be larger than that of a solid.
+const KEYS: u16 = u16::MAX - MOST as u16;
+
+/// Which bodies count.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Boxes {
+    /// Fixed ones, from all sides.
+    Fixed,
+    /// Also those that can move and are entirely below a character that falls toward larger y, or
+    /// toward smaller y.
+    AndBelow { larger_y: bool },
+}
+
+/// A solid, and how it ranks among the others.
+#[derive(Clone, Copy)]
+struct Candidate {
+    /// The gap to the character, then the key and the slot. No order of the broad phase counts.
+    rank: (u32, u32, usize),
+    solid: Solid,
+    body: Option<Handle>,
+}
+
+/// The nearest boxes of bodies and lifts, as solids.
+pub(super) struct Reached {
+    nearest: Vec<Candidate, MOST>,
+}
+
+impl Reached {
+    /// Those that are at most so far from a box, the bounds of `own`.
+    pub(super) fn of<P, S, const N: usize, const M: usize>(
+        scene: &Scene<P, N, M, S>,
+        own: (Handle, &Aabb),
+        lifts: &[Solid],
+        far: u32,
+        boxes: Boxes,
+    ) -> Self
+    where
+        P: BroadPhase<Tag = Keyed<Filter>>,
+        S: BodyShape,
+    {
+        let (own, bounds) = own;
+        let region = around(bounds, far);
+        let mut reached = Self { nearest: Vec::new() };
+        for (slot, lift) in lifts.iter().enumerate().filter(|(_, lift)| lift.shape().touches(&region)) {
+            let rank = (gap(bounds, &lift.shape()), lift.key().into(), slot);
+            reached.add(Candidate { rank, solid: *lift, body: None });
+        }
+        scene.near.in_region(&region, |other| {
+            let slot = |at: Handle| scene.slots.get(at.slot());
+            let Some((one, two)) = slot(own).zip(slot(other)) else { return };
+            if other == own || senses(one, two) || !may_meet(one, two) {
+                return;
+            }
+            if let Some(solid) = solid_of(two, bounds, boxes) {
+                let rank = (gap(bounds, &solid.shape()), two.body.key, other.slot());
+                reached.add(Candidate { rank, solid, body: Some(other) });
+            }
+        });
+        reached
+    }
+
+    fn add(&mut self, next: Candidate) {
+        if self.nearest.push(next).is_err() {
+            if let Some(last) = self.nearest.iter_mut().max_by_key(|one| one.rank).filter(|one| next.rank < one.rank) {
+                *last = next;
+            }
+        }
+    }
+
+    /// The solids. Their keys rank bodies as the keys of bodies do.
+    pub(super) fn solids(&self) -> Vec<Solid, MOST> {
+        let by_key = |one: &Candidate| (one.rank.1, one.rank.2);
+        let key = |one: &Candidate| {
+            let before = |other: &&Candidate| other.body.is_some() && by_key(other) < by_key(one);
+            KEYS + self.nearest.iter().filter(before).count() as u16
+        };
+        let of = |one: &Candidate| match one.body {
+            Some(_) => Solid::new(one.solid.shape(), key(one)).unwrap_or(one.solid),
+            None => one.solid,
+        };
+        self.nearest.iter().map(of).collect()
+    }
+
+    /// The body whose solid has a key.
+    pub(super) fn body(&self, key: u16) -> Option<Handle> {
+        let at = self.solids().iter().position(|solid| solid.key() == key)?;
+        self.nearest.get(at)?.body
+    }
+}
+
+/// How far two boxes are apart, along the axis on which they are farther apart.
+fn gap(a: &Aabb, b: &Aabb) -> u32 {
+    let apart = |a: (i32, i32), b: (i32, i32)| (b.0 - a.1).max(a.0 - b.1).max(0);
+    let (x, y) = (|it: &Aabb| (it.lo().x, it.hi().x), |it: &Aabb| (it.lo().y, it.hi().y));
+    apart(x(a), x(b)).max(apart(y(a), y(b))).unsigned_abs()
+}
+
+/// The solid that a body is for a character with these bounds. A box that can move lets it pass
+/// from the sides: it is pushed. As a one-way solid, it would let through a character that drops.
+fn solid_of<S: BodyShape>(slot: &Slot<S>, character: &Aabb, boxes: Boxes) -> Option<Solid> {
+    let SceneBody { shape, mass, .. } = &slot.body;
+    let bounds = shape.aabb();
+    if *shape != bounds.into() {
+        return None;
+    }
+    let blocks = match boxes {
+        _ if mass.is_none() => return Solid::new(trimmed(&bounds, character)?, 0).ok(),
+        Boxes::Fixed => false,
+        Boxes::AndBelow { larger_y: true } => character.hi().y <= bounds.lo().y,
+        Boxes::AndBelow { larger_y: false } => character.lo().y >= bounds.hi().y,
+    };
+    Solid::new(bounds, 0).ok().filter(|_| blocks)
+}
+
+/// A fixed box without the part that a character overlaps, cut at the nearest side. So the
+/// character goes no deeper, until the scene has parted the two.
+fn trimmed(bounds: &Aabb, character: &Aabb) -> Option<Aabb> {
+    if !bounds.overlaps(character) {
+        return Some(*bounds);
+    }
+    let (lo, hi) = (bounds.min(), bounds.max());
+    let (near, far) = (character.min(), character.max());
+    let (mut from, mut to) = (lo, hi);
+    let [above, below, left, right] = [far.y - lo.y, hi.y - near.y, far.x - lo.x, hi.x - near.x];
+    let least = above.min(below).min(left).min(right);
+    if least == above {
+        from.y = far.y;
+    } else if least == below {
+        to.y = near.y;
+    } else if least == left {
+        from.x = far.x;
+    } else {
+        to.x = near.x;
+    }
+    Aabb::new(from, to).ok()
+}
