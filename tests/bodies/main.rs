@@ -6,6 +6,7 @@ mod broad_grid;
 mod broad_model;
 mod broad_pairs;
 mod broad_removals;
+mod carried_characters;
 mod chased;
 mod crates_in_rows;
 mod fast_curves;

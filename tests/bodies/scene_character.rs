@@ -5,40 +5,40 @@ use super::steps::open;
 use core::num::NonZeroU8;
 use tilesat::broad::SortSweep;
 use tilesat::prelude::*;
-use tilesat::scene::{SceneBody, SceneCharacter, SceneFault, SceneTag, SortSweepScene, WithCapsules};
+use tilesat::scene::{SceneBody, SceneCharacter, SceneTag, SortSweepScene, WithCapsules};
 use tilesat::{
     Aabb, Capsule, Character, Feel, Fx, Input, Joined, Outcome, Scene, Solid, Solids, TileKind, TileKinds, TileMap,
     Vec2, fx,
 };
 use tilesat_judge::Random;
 
-type Room = SortSweepScene<32>;
+pub(super) type Room = SortSweepScene<32>;
 
-const GRAVITY: Vec2 = Vec2::new(fx!(0), fx!(0.25));
+pub(super) const GRAVITY: Vec2 = Vec2::new(fx!(0), fx!(0.25));
 const HERO: u32 = 1;
 
-static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'-', TileKind::ONE_WAY_UP);
+pub(super) static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL).with(b'-', TileKind::ONE_WAY_UP);
 
-fn rect(x: i16, y: i16, w: i16, h: i16) -> Aabb {
+pub(super) fn rect(x: i16, y: i16, w: i16, h: i16) -> Aabb {
     Aabb::from_size(Vec2::from_ints(x, y), Vec2::from_ints(w, h)).unwrap()
 }
 
 /// A character of 10 by 14 with its feet at `y`, and its body of a mass.
-fn hero(room: &mut Room, x: i16, y: i16, mass: u8) -> SceneCharacter {
+pub(super) fn hero(room: &mut Room, x: i16, y: i16, mass: u8) -> SceneCharacter {
     let hero = Character::new(rect(x, y - 14, 10, 14), rect(-8000, -1000, 16000, 2000), Feel::DEFAULT);
     let body = SceneBody { mass: NonZeroU8::new(mass), ..SceneBody::led(*hero.body(), HERO) };
     SceneCharacter::new(hero, room.insert(&body).unwrap())
 }
 
 /// One frame in a level with lifts, which have moved.
-fn frame(room: &mut Room, level: &TileMap<'_>, lifts: &[Solid], hero: &mut SceneCharacter, input: Input) {
+pub(super) fn frame(room: &mut Room, level: &TileMap<'_>, lifts: &[Solid], hero: &mut SceneCharacter, input: Input) {
     assert_eq!(hero.lead(room, level, lifts, input).unwrap().outcome, Outcome::Moved);
     room.step(&Joined::new(level, &Solids::new(lifts)), GRAVITY, |_| {}).unwrap();
     hero.follow(room, level, lifts).unwrap();
 }
 
 /// Random inputs that a player could make.
-fn play(random: &mut Random, input: &mut Input) {
+pub(super) fn play(random: &mut Random, input: &mut Input) {
     if random.below(16) == 0 {
         input.run = Fx::from_num(random.around(2));
     }
@@ -210,7 +210,7 @@ fn goes_along_with_the_box_below() {
     for _ in 0..90 {
         frame(&mut room, &level, &[], &mut hero, still);
         let top = room.body(chest).unwrap().shape.aabb().min().y;
-        assert!(feet(&hero) <= top, "{} {top}", feet(&hero));
+        assert!(feet(&hero) <= top && feet(&hero) >= top - fx!(1), "{} {top}", feet(&hero));
         highest = highest.min(feet(&hero));
     }
     assert!(highest < 90 && feet(&hero) == 124 && hero.stands_on() == Some(chest), "{highest}");
@@ -269,20 +269,16 @@ fn pushes_by_its_mass() {
 #[test]
 fn a_refused_step_changes_nothing() {
     let level = open();
-    let mut room = SortSweepScene::<32>::empty();
-    for k in 0..17 {
-        room.insert(&SceneBody::fixed(rect(k, 10 + k % 5, 1, 1), 10 + k as u32)).unwrap();
-    }
+    let mut room = Room::empty();
+    room.insert(&SceneBody::fixed(rect(-20, 10, 60, 10), 10)).unwrap();
     let mut hero = hero(&mut room, 0, 10, 1);
+    frame(&mut room, &level, &[], &mut hero, Input::default());
+    hero.character.velocity = Vec2::from_ints(5000, 0);
     let before = (room, hero);
-    let refused = hero.lead(&mut room, &level, &[], Input::running(fx!(6))).unwrap_err();
-    assert_eq!((refused.fault, refused.body), (SceneFault::Crowded, Some(hero.handle())));
-    assert!(refused.to_string().contains("more than 16"), "{refused}");
     let same = |room: &Room, hero: &SceneCharacter| {
         *hero == before.1 && room.bodies().eq(before.0.bodies()) && room.awake() == before.0.awake()
     };
-    assert!(same(&room, &hero));
-    let refused = hero.lead(&mut room, &level, &[], Input::running(fx!(5000))).unwrap_err();
+    let refused = hero.lead(&mut room, &level, &[], Input::running(fx!(6000))).unwrap_err();
     assert!(same(&room, &hero), "{refused}");
 
     let _ = room.remove(hero.handle()).unwrap();
