@@ -10,10 +10,22 @@ pub(crate) struct Error {
     pub(crate) places: Vec<(String, usize)>,
 }
 
-/// The errors of a build of the library. A check alone would not evaluate constants.
-pub(crate) fn errors(tree: &Path) -> Vec<Error> {
+/// The errors of builds of the library and of the test programs. A check alone would not evaluate
+/// constants, and some functions are evaluated only for constants of tests.
+pub(crate) fn errors(tree: &Path, programs: &[&str]) -> Vec<Error> {
+    let errors = errors_of(tree, &["build", "--lib"]);
+    if !errors.is_empty() || programs.is_empty() {
+        return errors;
+    }
+    let mut args = vec!["test", "--no-run", "--no-fail-fast", "--lib"];
+    args.extend(programs.iter().flat_map(|program| ["--test", program]));
+    errors_of(tree, &args)
+}
+
+fn errors_of(tree: &Path, args: &[&str]) -> Vec<Error> {
     let out = Command::new("cargo")
-        .args(["build", "--lib", "--profile", "mutants", "--message-format", "json", "--quiet"])
+        .args(args)
+        .args(["--package", "tilesat", "--profile", "mutants", "--message-format", "json", "--quiet"])
         .current_dir(tree)
         .output()
         .expect("cargo runs");

@@ -1,13 +1,15 @@
 //! Weaves all mutants that cargo-mutants lists into one program, so that one build compiles them.
 //!
-//! `weave LIST.json TREE [--of N --seed K] [--only FILE]` takes all mutants, those numbered K, K +
-//! N, ..., or those that a file names. It changes the sources of a copied tree. Each function's
-//! body becomes a match on a number, with an arm per mutant and the original body for all other
-//! numbers. The environment variable `MUTANT` gives the number when the program starts.
+//! `weave LIST.json TREE [--of N --seed K] [--only FILE] [--tests NAMES]` takes all mutants, those
+//! numbered K, K + N, ..., or those that a file names. It changes the sources of a copied tree.
+//! Each function's body becomes a match on a number, with an arm per mutant and the original body
+//! for all other numbers. The environment variable `MUTANT` gives the number when the program
+//! starts.
 //!
-//! Builds find the functions that the compiler evaluates for constants, and mutants that are no
-//! valid program. The tool leaves both out. It writes `mutants.tsv` into the tree: number, verdict
-//! before any test (`woven`, `unviable`, `constant`) and name.
+//! Builds of the library and of the named tests find the functions that the compiler evaluates for
+//! constants, and mutants that are no valid program. The tool leaves both out. It writes
+//! `mutants.tsv` into the tree: number, verdict before any test (`woven`, `unviable`, `constant`)
+//! and name.
 
 mod built;
 mod mutant;
@@ -49,13 +51,14 @@ pub static SNAPSHOT: scene::Snapshot<broad::SortSweep<2, scene::SceneTag>, 2> =
 fn main() {
     let mut args = env::args().skip(1);
     let (list, tree) = (args.next().expect("a list"), args.next().expect("a tree"));
-    let (mut of, mut seed, mut only) = (1, 0, None);
+    let (mut of, mut seed, mut only, mut programs) = (1, 0, None, String::new());
     while let (Some(option), Some(value)) = (args.next(), args.next()) {
         match option.as_str() {
             "--of" => of = value.parse().expect("a number"),
             "--seed" => seed = value.parse().expect("a number"),
             "--only" => only = Some(fs::read_to_string(value).expect("a file of names")),
-            _ => panic!("--of N, --seed K or --only FILE"),
+            "--tests" => programs = value,
+            _ => panic!("--of N, --seed K, --only FILE or --tests NAMES"),
         }
     }
     let tree = Path::new(&tree);
@@ -64,6 +67,7 @@ fn main() {
         mutant.id as usize % of == seed % of && only.as_ref().is_none_or(|only| only.contains(&*mutant.name))
     };
     let mutants: Vec<Mutant> = mutant::read(Path::new(&list)).into_iter().filter(wanted).collect();
+    let programs: Vec<&str> = programs.split_whitespace().collect();
     let sources = Source::of(tree, &mutants);
     let (mut unviable, mut constant) = (BTreeSet::new(), BTreeSet::new());
     loop {
@@ -71,7 +75,7 @@ fn main() {
             fs::write(tree.join(&source.file), source.woven(&unviable, &constant)).expect("the tree is ours");
         }
         begin(tree);
-        let errors = built::errors(tree);
+        let errors = built::errors(tree, &programs);
         if errors.is_empty() {
             break;
         }
