@@ -240,7 +240,7 @@ fn inward(m: Raw) -> Axis {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Raw, across, project_slope};
+    use super::{Axis, Pipe, Raw, across, project_slope};
     use tilesat_judge::{Random, cases};
 
     /// Along the slopes of tiles: whole multiples, toward zero, also at multiples of the square.
@@ -255,6 +255,21 @@ mod tests {
                 let along = across(v, n);
                 let k = (along / i64::from(x * x + y * y)) as i32;
                 assert_eq!(project_slope(along, n), Raw { x: -y * k, y: x * k }, "{v:?} along {n:?}");
+            }
+        }
+    }
+
+    /// A ray in a pipe leaves it along the arc, or through a line between the centre and an end.
+    #[test]
+    fn rays_leave_a_pipe_through_its_arc_or_a_radius() {
+        for (x, y) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
+            let at = |a: i32, b: i32| Raw { x: a * x, y: b * y };
+            let pipe = Pipe { m: at(60, 60), r: 100, quadrant: Axis::new(x, y) };
+            for (a, b) in [(1, 1), (1, -1), (-1, 1), (3, -4), (-4, 3)] {
+                assert!(pipe.is_left_along(at(a, b)), "{a} {b}");
+            }
+            for (a, b) in [(0, -1), (-1, 0), (-1, -1), (1, -2), (-2, 1), (2, -3), (-3, 2)] {
+                assert!(!pipe.is_left_along(at(a, b)), "{a} {b}");
             }
         }
     }

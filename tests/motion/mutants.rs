@@ -58,3 +58,18 @@ fn a_point_stops_where_a_dome_touches_the_floor() {
         }
     }
 }
+
+/// A point that moves along x or y also looks for an end of an arc on its way. These looks count as
+/// work.
+#[test]
+fn a_look_for_the_end_of_an_arc_counts() {
+    let map = level(b"#e##", 2);
+    let point = Circle::new(Vec2::from_ints(30, 16), Fx::ZERO).unwrap();
+    let features = |up: Fx| {
+        let motion = Vec2::new(Fx::from_num(-3), -up);
+        let moved = Mover::new().move_and_slide(&map, &point, motion).unwrap();
+        assert_eq!(moved.velocity, motion);
+        moved.work.features
+    };
+    assert_eq!((features(Fx::ZERO), features(Fx::DELTA)), (2, 0));
+}

@@ -15,6 +15,7 @@ mod convex;
 mod flags;
 mod games;
 mod joints;
+mod mutants;
 mod placed;
 mod push;
 mod surface;

@@ -158,3 +158,17 @@ pub(super) fn settle(q: Raw, n: Axis, bound: u64, step: i32) -> Option<Raw> {
     }
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Raw, settle};
+
+    /// Two neighbours of the velocity are on the plane, and equally near. The shorter one counts
+    /// only if the longer one is faster than the bound.
+    #[test]
+    fn of_equally_near_velocities_the_longest() {
+        let (q, n) = (Raw { x: 2, y: -3 }, Axis::new(1, 1));
+        assert_eq!(settle(q, n, 18, 1), Some(Raw { x: 3, y: -3 }));
+        assert_eq!(settle(q, n, 17, 1), Some(Raw { x: 2, y: -2 }));
+    }
+}

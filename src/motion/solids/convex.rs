@@ -407,3 +407,23 @@ impl<S: SolidShape, B: Body> Tick<'_, S, B> {
         Push { press: Press::of::<true>(self.solid.key(), motion, normal), bound: None }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Aabb, Axis, Raw, on_peak};
+
+    /// The inside of each side lies on a point there, and no corner does.
+    #[test]
+    fn a_side_lies_on_a_peak_in_front_of_it() {
+        let body = Aabb::from_raw_unchecked(Raw { x: 0, y: 0 }, Raw { x: 8, y: 8 });
+        let normal = |x, y| {
+            let mut found = None;
+            on_peak(&body, Raw { x, y }, &mut |n| found = Some(n));
+            found
+        };
+        for (x, y, n) in [(8, 3, Axis::NEG_X), (0, 3, Axis::X), (3, 8, Axis::NEG_Y), (3, 0, Axis::Y)] {
+            assert_eq!(normal(x, y), Some(n), "{x} {y}");
+        }
+        assert!(normal(8, 8).is_none() && normal(3, 3).is_none() && normal(9, 3).is_none());
+    }
+}

@@ -214,7 +214,22 @@ impl Shift {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Clearance, Raw, off};
+    use super::{Axis, Clearance, Entry, Raw, is_face, off};
+    use crate::shape::{Aabb, Circle, ConvexPolygon};
+
+    /// A turned body meets faces along x and y, and corners: these have a step, or a slanted
+    /// normal.
+    #[test]
+    fn a_turned_body_meets_faces_along_the_axes() {
+        let hit = |step| Entry { num: 0, den: 1, normal: Axis::X, at_end: false, step };
+        for (x, y, face) in [(1, 0, true), (0, -1, true), (1, 2, false), (-1, 1, false)] {
+            let n = Axis::new(x, y);
+            assert_eq!(is_face::<ConvexPolygon<4>>(&hit(None), n), face, "{n:?}");
+            assert!(!is_face::<ConvexPolygon<4>>(&hit(Some(Raw { x: 0, y: 0 })), n), "{n:?}");
+        }
+        assert!(is_face::<Circle>(&hit(None), Axis::X) && !is_face::<Circle>(&hit(Some(Raw { x: 0, y: 0 })), Axis::X));
+        assert!(is_face::<Aabb>(&hit(None), Axis::Y));
+    }
 
     /// Without room along one axis, a corner of 45 degrees pushes along the other one, by both
     /// parts of the motion into it.

@@ -181,6 +181,17 @@ mod tests {
         room
     }
 
+    /// A face holds the axis of its normal, and a slanted side none.
+    #[test]
+    fn faces_hold_the_axis_of_their_normal() {
+        for (x, y, held) in
+            [(1, 0, (true, false)), (-1, 0, (true, false)), (0, 1, (false, true)), (2, 1, (false, false))]
+        {
+            assert_eq!(room(&[(x, y, 0, 0)], (0, 0)).held(), held, "{x} {y}");
+        }
+        assert_eq!(room(&[(0, -1, 0, 0), (1, 0, 0, 0)], (0, 0)).held(), (true, true));
+    }
+
     /// No lattice point within the bounds is nearer than the answer, but for its roundings.
     #[test]
     fn the_nearest_displacement() {

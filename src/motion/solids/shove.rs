@@ -207,7 +207,31 @@ fn steeper(d: Raw, rest: Raw, n: Axis, pressed: i32) -> Raw {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Raw, quotient_up, yielding};
+    use super::{Axis, Clearance, Raw, quotient_up, yielding};
+
+    /// A room without width or height still holds one displacement.
+    #[test]
+    fn only_crossed_bounds_leave_no_room() {
+        let room = |x: i32, y: i32| Clearance { lo: Raw { x: 3, y: 5 }, hi: Raw { x, y } };
+        for (x, y, empty) in [(3, 5, false), (9, 9, false), (2, 9, true), (9, 4, true)] {
+            assert_eq!(room(x, y).is_empty(), empty, "{x} {y}");
+        }
+    }
+
+    /// A level that shortens a motion along one axis bounds that axis alone, on that side.
+    #[test]
+    fn a_level_bounds_only_what_it_shortens() {
+        let bounds = |d: (i32, i32), made: (i32, i32)| {
+            let room = Clearance::ALL.in_level(Raw { x: d.0, y: d.1 }, Raw { x: made.0, y: made.1 });
+            (room.lo.x, room.hi.x, room.lo.y, room.hi.y)
+        };
+        let far = Clearance::FAR;
+        assert_eq!(bounds((5, 7), (5, 7)), (-far, far, -far, far));
+        assert_eq!(bounds((5, 7), (3, 7)), (-far, 3, -far, far));
+        assert_eq!(bounds((-5, 7), (-3, 7)), (-3, far, -far, far));
+        assert_eq!(bounds((5, 7), (5, 4)), (-far, far, -far, 4));
+        assert_eq!(bounds((5, -7), (5, -4)), (-far, far, -4, far));
+    }
 
     /// Against the division of the processor, at both ends of the range and around each multiple.
     #[test]
@@ -220,6 +244,14 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// The motion along the held axis stays, even if it is the shorter one.
+    #[test]
+    fn what_yields_keeps_the_held_axis() {
+        let (rest, n) = (Raw { x: 10, y: -4 }, Axis::new(-1, 1));
+        assert_eq!(yielding(rest, n, (true, false)), Raw { x: 10, y: 10 });
+        assert_eq!(yielding(rest, n, (false, true)), Raw { x: -4, y: -4 });
     }
 
     /// The rest leads out of the plane or along it, and not back.

@@ -267,3 +267,23 @@ pub(super) fn leads(v: Raw, axis: Axis) -> bool {
 pub(super) fn length(d: Raw) -> Fx {
     Fx::from_bits(way(d) as i32)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Aabb, DOMAIN, Raw, within};
+
+    /// Beside each border of the domain there is room for five raw units.
+    #[test]
+    fn a_way_ends_at_the_border_of_the_domain() {
+        for (x, y) in [(1, 0), (-1, 0), (0, 1), (0, -1)] {
+            let at = |n: i32| Raw { x: x * n, y: y * n };
+            let (one, two) = (at(DOMAIN - 6), at(DOMAIN - 9).add(Raw { x: 2 * y, y: 2 * x }));
+            let (lo, hi) =
+                (Raw { x: one.x.min(two.x), y: one.y.min(two.y) }, Raw { x: one.x.max(two.x), y: one.y.max(two.y) });
+            let bounds = Aabb::from_raw_unchecked(lo, hi);
+            assert_eq!(within(&bounds, at(9)), at(5));
+            assert_eq!(within(&bounds, at(5)), at(5));
+            assert_eq!(within(&bounds, at(-9)), at(-9));
+        }
+    }
+}
