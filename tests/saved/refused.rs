@@ -101,6 +101,19 @@ fn parts_of_games() {
     refused::<Ratio>(&ratio, "", json!(-1), &["invalid value"]);
 }
 
+/// A carry has at most the parts of a raw unit, both ends included.
+#[test]
+fn a_whole_raw_unit_is_a_carry() {
+    let carry = rope().4;
+    for whole in [1_i32 << 30, -(1 << 30)] {
+        let text = json!({"x": whole, "y": whole}).to_string();
+        let read: Carry = serde_json::from_str(&text).unwrap();
+        assert_eq!(to_value(read).unwrap().to_string(), text);
+        refused::<Carry>(&carry, "/x", json!(whole + whole.signum()), &["Carry", "parts"]);
+        refused::<Carry>(&carry, "/y", json!(whole + whole.signum()), &["Carry", "parts"]);
+    }
+}
+
 #[test]
 fn lists_of_pairs() {
     let (events, exceptions) = lists();
