@@ -1,7 +1,8 @@
 //! Motions, each in one scene with a known answer. Changes of the sources that no other test
 //! noticed led to them.
 
-use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Grid, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2};
+use tilesat::motion::Support;
+use tilesat::{Aabb, AllShapes, Axis, Circle, Fx, Grid, Mover, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker};
 
 static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'#', TileKind::FULL)
@@ -10,7 +11,9 @@ static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'c', TileKind::of(TileShape::ConcaveBottomRight))
     .with(b'd', TileKind::of(TileShape::ConcaveBottomLeft))
     .with(b'e', TileKind::of(TileShape::ConvexTopLeft))
-    .with(b'f', TileKind::of(TileShape::ConvexTopRight));
+    .with(b'f', TileKind::of(TileShape::ConvexTopRight))
+    .with(b')', TileKind::of(TileShape::ConvexBottomLeft))
+    .with(b's', TileKind::of(TileShape::SteepHighBottomLeft));
 
 fn level(tiles: &'static [u8], width: u16) -> TileMap<'static, AllShapes> {
     let height = tiles.len() as u16 / width;
@@ -72,4 +75,25 @@ fn a_look_for_the_end_of_an_arc_counts() {
         moved.work.features
     };
     assert_eq!((features(Fx::ZERO), features(Fx::DELTA)), (2, 0));
+}
+
+/// A walker between a dome and a steep wall slips down along the wall, to the floor beside it. The
+/// way down is a length.
+#[test]
+fn a_slip_beside_a_dome_is_a_length() {
+    let map = level(b"....##s.###)####", 4);
+    let walker = Walker::new(Mover::platformer(Axis::NEG_Y)).with_snap(Fx::from_num(5)).unwrap();
+    let step = |body, run: Fx, floor: Option<Support>| {
+        let fall = Fx::from_num(u8::from(floor.is_none()));
+        walker.walk(&map, &body, Vec2::new(run, fall), floor).unwrap()
+    };
+    let centre = Vec2::new(Fx::from_num(45.25), Fx::from_num(15));
+    let (mut body, mut floor) = (Circle::new(centre, Fx::from_num(5)).unwrap(), None);
+    for _ in 0..40 {
+        let walked = step(body, Fx::ZERO, floor);
+        (body, floor) = (walked.moved.body, walked.floor);
+    }
+    let walked = step(body, Fx::from_num(-0.5), floor);
+    assert!(walked.moved.wall && walked.floor.is_some() && walked.stepped == 0);
+    assert_eq!(walked.snapped.to_bits(), 161);
 }
