@@ -1,9 +1,9 @@
 //! Round bodies on flush boxes.
 //!
 //! Gravity sinks a ball into the box below it and, near a seam, into the corner of the next box.
-//! That contact is slanted: if it counted, each seam would slow the ball down. But the push straight
-//! out of the box below leads out of the next one, too. So its corner does not count. A corner that
-//! sticks out, or that has no box beside it, still overlaps the ball after that push.
+//! That contact is slanted: if it counted, each seam would slow the ball down. But the push
+//! straight out of the box below leads out of the next one, too. So its corner does not count. A
+//! corner that sticks out, or that has no box beside it, still overlaps the ball after that push.
 
 use super::at_boxes::AtBoxes;
 use super::body::Slot;

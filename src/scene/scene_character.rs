@@ -31,7 +31,8 @@ use crate::world::{Joined, Solid, Solids, World};
 ///
 /// What counts as a floor is a body that is an [`Aabb`], meets the character's body by its
 /// [filter](SceneBody::filter), and is no sensor. Fixed boxes block from all sides. A body of
-/// another shape only pushes the character.
+/// another shape only pushes the character. Of more than 16 boxes and lifts in its reach, the
+/// nearest count.
 ///
 /// `B` is the shape of the character. Plain data: a copy, with one of the scene, is a snapshot.
 ///
@@ -206,8 +207,8 @@ impl<B: Body> SceneCharacter<B> {
         Ok(pushed)
     }
 
-    /// Moves the character by what its body and the box that it rides have moved since the last
-    /// call, as far as the level, the lifts and fixed boxes allow.
+    /// Moves the character by the motions of its body and of the box that it rides since the last
+    /// call. The level, the lifts and fixed boxes stop it.
     fn catch_up<W, P, S, const N: usize, const M: usize>(
         &mut self,
         scene: &Scene<P, N, M, S>,

@@ -60,7 +60,7 @@ pub(super) fn clear_before<S>(
     true
 }
 
-/// SeamLooks at a pair again.
+/// Looks at a pair again.
 pub(super) fn look_again<S: BodyShape>(
     look: SeamLook,
     slots: &mut [Slot<S>],
