@@ -143,7 +143,7 @@ pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
         }
     };
     if let Some(fail) = hollow(&drawn, &bundle, &settings) {
-        return Err(fail.into());
+        return Err(Fail::new(in_file(&fail.to_string())).into());
     }
     let baked: Vec<&(PathBuf, Map)> =
         drawn.iter().filter(|(_, map)| !listed(&settings.options.ignored_levels, &map.name)).collect();

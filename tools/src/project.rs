@@ -45,8 +45,10 @@ struct File {
 ///
 /// One line that names the file, and the layer or name of the user's options that no level has.
 pub(crate) fn load(path: &Path, level: Option<&str>, own: Options) -> Result<(Levels, Options)> {
-    let mut levels = read::load(path, level)?;
     let (options, file) = beside(path)?;
+    // A skipped level may be one that the tools cannot read.
+    let skipped: Vec<String> = options.ignored_levels.iter().chain(&own.ignored_levels).cloned().collect();
+    let mut levels = read::except(path, level, &skipped)?;
     levels.files.extend(file);
     // The project file may name things that a level does not contain.
     unknown(&levels, &own).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;

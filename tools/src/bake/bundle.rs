@@ -11,7 +11,7 @@ use super::{Baked, source};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map};
 use crate::rules::flags::Flags;
-use crate::rules::ground::Ground;
+use crate::rules::ground::{Drawn, Ground};
 use crate::rules::kind::Kind;
 use crate::rules::options::{Options, listed, together};
 use crate::rules::outline::Outline;
@@ -60,10 +60,13 @@ fn all(maps: &[Map], options: &Options, cell: Option<Fx>) -> Result<Bundle> {
     let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
     let mut ids = Ids::default();
     let mut levels = Vec::new();
-    for map in maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)) {
-        let of_level =
-            |fail: Fail| if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail };
-        levels.push(level(map, (options, cell), &mut flags, &mut ids).map_err(of_level)?);
+    let of_level = |map: &Map, fail: Fail| {
+        if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail }
+    };
+    let baked: Vec<&Map> = maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)).collect();
+    for (map, drawn) in baked.iter().zip(Drawn::all(&baked, options, of_level)?) {
+        let ground = drawn.ground(&mut flags).map_err(|fail| of_level(map, fail))?;
+        levels.push(level(map, ground, cell, (&mut flags, &mut ids)).map_err(|fail| of_level(map, fail))?);
     }
     if levels.is_empty() {
         return Err(Fail::new("every level is skipped: remove an --ignore-level"));
@@ -81,8 +84,7 @@ fn all(maps: &[Map], options: &Options, cell: Option<Fx>) -> Result<Bundle> {
     Ok(Bundle { levels, kinds: ids.kinds().to_vec(), flags: flags.names, dropped: flags.dropped, warnings })
 }
 
-fn level(map: &Map, (options, cell): (&Options, Option<Fx>), flags: &mut Flags, ids: &mut Ids) -> Result<Baked> {
-    let mut ground = Ground::of(map, options, flags)?;
+fn level(map: &Map, mut ground: Ground, cell: Option<Fx>, (flags, ids): (&mut Flags, &mut Ids)) -> Result<Baked> {
     let repeated = segments::once(&mut ground.outlines);
     segments::refuse_crossed(&ground.outlines)?;
     let tiles = Level::with(&ground, &flags.names, ids)?;

@@ -14,7 +14,7 @@ use crate::fail::{Fail, Result};
 use crate::lint::{self, Body, Rules, Severity};
 use crate::model::map::Map;
 use crate::rules::flags::Flags;
-use crate::rules::ground::Ground;
+use crate::rules::ground::{Drawn, Ground};
 use crate::rules::options::{Options as Solid, listed, together};
 
 const USAGE: &str = "\
@@ -94,11 +94,12 @@ fn job(job: Options, out: &mut dyn Write) -> Result<u8> {
     let maps: Vec<&Map> = levels.maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)).collect();
     let made = |options: &Solid| {
         let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
-        let ground = |map: &&Map| {
-            let of_level = |fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
-            Ground::of(map, options, &mut flags).map_err(|fail| if maps.len() > 1 { of_level(fail) } else { fail })
+        let of_level = |map: &Map, fail: Fail| {
+            if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail }
         };
-        let grounds = maps.iter().map(ground).collect::<Result<Vec<_>>>()?;
+        let drawn = maps.iter().zip(Drawn::all(&maps, options, of_level)?);
+        let ground = |(map, drawn): (&&Map, Drawn<'_>)| drawn.ground(&mut flags).map_err(|fail| of_level(map, fail));
+        let grounds = drawn.map(ground).collect::<Result<Vec<_>>>()?;
         Ok((grounds, flags))
     };
     let is_solid = |(grounds, _): &(Vec<Ground>, Flags)| grounds.iter().any(Ground::is_solid);

@@ -1,5 +1,6 @@
 //! A level: its layers, and the meaning of the numbers in them.
 
+use std::path::PathBuf;
 use std::rc::Rc;
 
 use super::decimal::Decimal;
@@ -13,6 +14,8 @@ use super::tileset::Tileset;
 pub struct Map {
     /// `LDtk`'s name of the level. For Tiled's maps, the name of the file.
     pub name: String,
+    /// The file with all levels that belong together: a map, a project or a world.
+    pub project: PathBuf,
     /// Side of a cell in pixels.
     pub tile: u16,
     /// How many cells a cell of the file is along x and y: cells that are not square are several.

@@ -61,3 +61,10 @@ pub struct Object {
     pub hidden: bool,
     pub form: Form,
 }
+
+impl Object {
+    /// Whether it is nothing but a form: it has no class, no properties and no picture.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.class.trim().is_empty() && self.properties.0.is_empty() && !matches!(self.form, Form::Tile(_))
+    }
+}

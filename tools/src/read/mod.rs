@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 
 use crate::fail::{Fail, Result};
 use crate::model::map::Map;
+use crate::rules::options::listed;
 use file::Files;
 
 /// The levels of a file.
@@ -23,6 +24,21 @@ pub struct Levels {
     pub files: Vec<PathBuf>,
 }
 
+/// The levels of a file to read.
+#[derive(Debug, Clone, Copy)]
+struct Pick<'a> {
+    /// The only one.
+    level: Option<&'a str>,
+    skipped: &'a [String],
+}
+
+impl Pick<'_> {
+    /// Whether to read the level of this name.
+    fn has(&self, name: &str) -> bool {
+        self.level.map_or_else(|| !listed(self.skipped, name), |wanted| wanted == name)
+    }
+}
+
 /// Reads a map of Tiled (XML or JSON), a world of its maps, or a project of `LDtk`. Of several
 /// levels it reads the named one, or all.
 ///
@@ -30,8 +46,21 @@ pub struct Levels {
 ///
 /// One line that names the file and the reason that it cannot be read.
 pub fn load(path: &Path, level: Option<&str>) -> Result<Levels> {
+    except(path, level, &[])
+}
+
+/// The same without the levels of these names, which need not be readable.
+///
+/// # Errors
+///
+/// The same as [`load`].
+pub(crate) fn except(path: &Path, level: Option<&str>, skipped: &[String]) -> Result<Levels> {
     let mut files = Files::default();
-    let maps = maps(path, level, &mut files).map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
+    let mut maps = maps(path, Pick { level, skipped }, &mut files)
+        .map_err(|why| Fail::new(format!("{}: {why}", path.display())))?;
+    for map in &mut maps {
+        path.clone_into(&mut map.project);
+    }
     Ok(Levels { maps, files: files.read })
 }
 
@@ -55,11 +84,11 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>> {
     Files::default().bytes(path).map_err(|why| Fail::new(format!("{}: {why}", path.display())))
 }
 
-fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Result<Vec<Map>, String> {
+fn maps(path: &Path, pick: Pick<'_>, files: &mut Files) -> std::result::Result<Vec<Map>, String> {
     let bytes = files.utf8(path)?;
     let end = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
     match &*end {
-        "world" => return tiled::world(&bytes, level, path, files),
+        "world" => return tiled::world(&bytes, pick, path, files),
         "ldtkl" => return Err("one level of an LDtk project: give the project, which ends in .ldtk".to_owned()),
         _ => {}
     }
@@ -67,7 +96,7 @@ fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Res
         match ldtk::looks(&bytes) {
             ldtk::Looks::Map => {}
             looks if end == "ldtk" || looks == ldtk::Looks::Project => {
-                return ldtk::read(&bytes, level, path, files).map_err(|why| tiled::mark(&bytes).unwrap_or(why));
+                return ldtk::read(&bytes, pick, path, files).map_err(|why| tiled::mark(&bytes).unwrap_or(why));
             }
             _ => {
                 let neither = "neither a map of Tiled (it has no orientation) nor a project of LDtk (it has no defs)";
@@ -76,7 +105,7 @@ fn maps(path: &Path, level: Option<&str>, files: &mut Files) -> std::result::Res
         }
     }
     let map = tiled::read(bytes, path, files)?;
-    match level {
+    match pick.level {
         Some(name) if name != map.name => Err(format!("no level '{name}': a Tiled map is one level, '{}'", map.name)),
         _ => Ok(vec![map]),
     }

@@ -16,6 +16,7 @@ use crate::bake::level::Ids;
 use crate::fail::{Fail, Result};
 use crate::model::map::Map;
 use crate::rules::flags::Flags;
+use crate::rules::ground::Drawn;
 use crate::rules::options::{Options, listed, together};
 use crate::rules::outline::LeftOut;
 use part::Part;
@@ -91,11 +92,12 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
     let made = |options: &Options| {
         let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
         let mut ids = Ids::default();
-        let part = |map: &&Map| {
-            let of_level = |fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
-            Part::of(map, options, &mut flags, &mut ids).map_err(of_level)
+        let of_level = |map: &Map, fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
+        let drawn = Drawn::all(&all, options, of_level)?;
+        let part = |(map, drawn): (&&Map, Drawn<'_>)| {
+            Part::of(map, drawn, options, (&mut flags, &mut ids)).map_err(|fail| of_level(map, fail))
         };
-        let parts: Vec<Part> = all.iter().map(part).collect::<Result<_>>()?;
+        let parts: Vec<Part> = all.iter().zip(drawn).map(part).collect::<Result<_>>()?;
         Ok((parts, flags, ids))
     };
     let is_solid = |(parts, ..): &(Vec<Part>, Flags, Ids)| parts.iter().any(|part| part.is_solid);

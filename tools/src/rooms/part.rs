@@ -6,7 +6,7 @@ use crate::bake::segments;
 use crate::fail::{Fail, Result};
 use crate::model::map::{Map, Place};
 use crate::rules::flags::Flags;
-use crate::rules::ground::Ground;
+use crate::rules::ground::Drawn;
 use crate::rules::options::Options;
 use crate::rules::outline::{LeftOut, Outline};
 
@@ -47,8 +47,13 @@ pub(super) struct Part {
 }
 
 impl Part {
-    pub(super) fn of(map: &Map, options: &Options, flags: &mut Flags, ids: &mut Ids) -> Result<Self> {
-        let mut ground = Ground::of(map, options, flags)?;
+    pub(super) fn of(
+        map: &Map,
+        drawn: Drawn<'_>,
+        options: &Options,
+        (flags, ids): (&mut Flags, &mut Ids),
+    ) -> Result<Self> {
+        let mut ground = drawn.ground(flags)?;
         let repeated = segments::once(&mut ground.outlines);
         ground.notes.extend(repeated);
         segments::refuse_crossed(&ground.outlines)?;

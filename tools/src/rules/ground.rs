@@ -4,23 +4,26 @@
 //!
 //! 1. `option`: the user's [`Options`].
 //! 2. `a`: its class or a true property is `Collision`, `Solid`, `Collide`, `Collides`,
-//!    `Collidable`, `Collider`, `Wall`, `Blocked` or `OneWay`. Or the properties `shape` and `npp`
-//!    name its shape.
+//!    `Collidable`, `Collider`, `Wall` or `Blocked`, or has words for one-way. Or the properties
+//!    `shape` and `npp` name its shape. If it is drawn in the collision editor, that is its shape.
 //! 3. `b`: it has shapes of Tiled's collision editor. A shape within 1/8 pixel of one of the
 //!    library's becomes that one. All others become polygons beside the tiles. Shapes that are
 //!    sensors or triggers do not count, nor do those in a layer of coins.
 //! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
-//!    collision, collider, collide, collidable, solid, blocked or blocking, or with the words one
-//!    way.
-//! 5. `d`: if nothing of the map is solid so far, and its class or a true property has a word of
-//!    `c` or is impassable, or its property `walkable` or `passable` is false. Properties such as
-//!    `collideUp` name sides: all four are full, and one is one-way. If still nothing is solid: its
-//!    layer has a name with the word wall, ground, terrain, platform, block, obstacle or physics.
-//!    If still nothing is: floor, boundary or barrier, then words of other languages. Ground that
-//!    walls stand on is not solid. In a layer of platforms, tiles without shapes are full if few
-//!    have some.
+//!    collision, collider, collide, collidable, solid, blocked or blocking, or with words for
+//!    one-way. Values of `LDtk` follow it, except those whose own names say that they are free.
+//! 5. `d`: if no tile of the project is solid so far, and its class or a true property has a word
+//!    of `c` or is impassable, or its property `walkable` or `passable` is false. Properties such
+//!    as `collideUp` name sides: all four are full, and one is one-way. If still no tile is solid:
+//!    its layer has a name with the word wall, ground, terrain, platform, block, obstacle or
+//!    physics. If still none is: floor, boundary or barrier, then words of other languages. Ground
+//!    that walls stand on is not solid, nor are layers that solid objects trace. In a layer of
+//!    platforms, tiles without shapes are full if few have some.
 //!    For values of `LDtk` the words are the same, and dirt, stone, rock, brick and earth. Values
 //!    without an identifier follow the rules `c` and `d` of their layers.
+//!
+//! Of solid and one-way, one-way says more. What a tile or a layer denies, such as a property
+//! `solid` that is false, is not solid because of a weaker rule.
 
 use std::collections::{BTreeSet, HashSet};
 use std::fmt;
@@ -32,10 +35,10 @@ use super::flags::Flags;
 use super::layers::Layers;
 use super::options::Options;
 use super::outline::{LeftOut, Outline};
-use super::piece::Piece;
 use super::place::{self, Unit};
 use super::report::Applied;
-use super::{doubts, guess, nothing, objects, paths, stood_on, unread, unused};
+use super::search::{self, Search};
+use super::{doubts, nothing, objects, paths, unused};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
@@ -88,6 +91,34 @@ impl fmt::Display for Doubt {
     }
 }
 
+/// A level whose tiles and objects are decided, together with those of its project.
+pub(crate) struct Drawn<'a>(Search<'a>);
+
+impl<'a> Drawn<'a> {
+    /// All of these levels. Those of one file are a project.
+    ///
+    /// # Errors
+    ///
+    /// As [`Ground::of`], with the name of the level that the caller adds.
+    pub(crate) fn all(maps: &[&'a Map], options: &'a Options, named: impl Fn(&Map, Fail) -> Fail) -> Result<Vec<Self>> {
+        let search = |map: &&'a Map| Search::of(map, options).map_err(|why| named(map, Fail::new(why)));
+        let mut levels: Vec<Search<'a>> = maps.iter().map(search).collect::<Result<_>>()?;
+        for project in levels.chunk_by_mut(|a, b| a.map.project == b.map.project) {
+            search::guess(project).map_err(Fail::new)?;
+        }
+        Ok(levels.into_iter().map(Self).collect())
+    }
+
+    /// Its solid. New flags take the remaining bits.
+    ///
+    /// # Errors
+    ///
+    /// As [`Ground::of`].
+    pub(crate) fn ground(self, flags: &mut Flags) -> Result<Ground> {
+        make(self.0, flags).map_err(Fail::new)
+    }
+}
+
 impl Ground {
     /// The solid of a map. New flags take the remaining bits.
     ///
@@ -95,7 +126,9 @@ impl Ground {
     ///
     /// One line about the part that the library refuses, and the option that fixes it.
     pub fn of(map: &Map, options: &Options, flags: &mut Flags) -> Result<Self> {
-        make(map, options, flags).map_err(Fail::new)
+        let mut search = Search::of(map, options).map_err(Fail::new)?;
+        search::guess(std::slice::from_mut(&mut search)).map_err(Fail::new)?;
+        make(search, flags).map_err(Fail::new)
     }
 
     /// What the author probably did not intend: a line each.
@@ -124,40 +157,12 @@ const FALL: &str = "bodies pass through what is not solid";
 
 type Made<T> = std::result::Result<T, String>;
 
-fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
+fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
+    let Search { map, mut layers, mut sheets, mut outlines, mut left_out, mut doubts } = search;
+    let options = layers.options;
     let unit = Unit::new(options.scale);
     let (named, dropped) = (flags.names.len(), flags.dropped.len());
-    let mut layers = Layers::new(map, options, unit)?;
-    let mut sheets = Vec::new();
-    for layer in layers.all.clone() {
-        match &layer.content {
-            // LDtk lists each layer in each level, drawn or not.
-            Content::Tiles(tiles) if map.values && tiles.cells.is_empty() => {}
-            Content::Tiles(tiles) => sheets.push(layers.sheet(layer, tiles)?),
-            Content::Objects(_) => {}
-            Content::Image => layers.ignored.push(format!("image layer '{}'", layer.name)),
-        }
-    }
-    let mut doubts = unread::templates(map, options)?;
-    doubts.extend(unread::tilesets(map, &sheets)?);
-    let (mut outlines, mut left_out) = layers.objects(None)?;
-    let empty = |piece: &Piece| *piece == Piece::Shape(TileShape::Empty);
-    let hollow = |sheets: &[Sheet<'_>]| sheets.iter().all(|sheet| sheet.pieces.values().all(empty));
-    if outlines.is_empty() && hollow(&sheets) {
-        layers.guess_by_tiles(&mut sheets);
-        layers.stood_on = stood_on::layers(map, &sheets, &layers.all);
-    }
-    for list in guess::STEPS {
-        if !outlines.is_empty() || !hollow(&sheets) {
-            layers.passed_over(&sheets, list);
-            break;
-        }
-        for sheet in &mut sheets {
-            layers.guess(sheet, list);
-        }
-        (outlines, left_out) = layers.objects(Some(list))?;
-    }
-    layers.forgotten(&mut sheets);
+    layers.forgotten(&mut sheets, &outlines);
     layers.oversize(&mut sheets);
     layers.slopes(&sheets);
     let sides = layers.unclear_sides(&sheets);
@@ -168,6 +173,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     layers.unseen(&sheets, &outlines);
     let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;
     outlines.splice(0..0, of_tiles);
+    layers.stray_holes(&mut outlines, &mut left_out);
     if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
         let explained = nothing::why(map, &sheets, options).map(|why| explained(map, &why, &sides, &left_out));
         match explained {
@@ -182,7 +188,6 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
         layers.undecided(&sheets);
         layers.crowded(&sheets, &cells);
     }
-    let classes = left_out.iter().map(|object| object.class.as_str());
     doubts.extend(map.warnings.iter().map(|(who, what)| Doubt { who: who.clone(), what: what.clone(), why: READ }));
     for layer in &cells.lost {
         let what = "its flags are in no output: its cells are not those of the solid; give both layers one grid";
@@ -192,19 +197,18 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
             why: "a flag belongs to a cell of the solid",
         });
     }
-    let new = flags
-        .names
-        .iter()
-        .skip(named)
-        .chain(flags.dropped.iter().skip(dropped))
-        .map(String::as_str)
-        .filter(|name| !options.is_flag(name));
-    let near = doubts::near_misses(new.chain(classes)).into_iter();
+    let new = flags.names.iter().skip(named).chain(flags.dropped.iter().skip(dropped));
+    let classes = left_out.iter().map(|object| &object.class);
+    let said = new.chain(classes).map(String::as_str).filter(|name| !options.is_flag(name));
+    let near = doubts::near_misses(said).into_iter();
     doubts.extend(near.chain(doubts::shapes(map)).map(|(who, what)| Doubt { who, what, why: FALL }));
     let blocks = |kind: &TileKind| super::names::is_solid(kind.shape);
     let hollow = doubts.iter().any(|doubt| doubt.who == LEVEL);
     if !hollow && outlines.is_empty() && !cells.kinds.is_empty() && !cells.kinds.iter().any(blocks) {
-        let what = "it has no solid tile and no solid object".to_owned();
+        let names = nothing::names_of_tiles(&sheets).map_or(String::new(), |(names, option)| {
+            format!("; tiles have the names {names}: add --solid {option} if they are solid")
+        });
+        let what = format!("it has no solid tile and no solid object{names}");
         doubts.push(Doubt { who: LEVEL.to_owned(), what, why: "bodies fall through this level" });
     }
     let Layers { ledger, ignored, notes, .. } = layers;
@@ -220,7 +224,7 @@ fn make(map: &Map, options: &Options, flags: &mut Flags) -> Made<Ground> {
     }
     // Fields of LDtk's entities are for the game, whatever their names.
     ground.notes.extend(objects::other_kinds(&ground.left_out).filter(|_| !map.values));
-    ground.unused = unused::lines(map, &ground.outlines, &ground.left_out);
+    ground.unused = unused::lines(map, options, &ground.outlines, &ground.left_out);
     ground.doubts = doubts;
     ground.applied = ledger.0;
     ground.ignored = ignored;

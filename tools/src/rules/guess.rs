@@ -6,16 +6,16 @@ use tilesat::TileShape;
 
 use super::cells::Sheet;
 use super::layers::Layers;
-use super::marked;
 use super::options::{Options, listed};
+use super::outline::Outline;
 use super::report::Rule;
 use super::verdict::{self, Solid};
-use super::words::{self, COLLISION, GROUND_ABROAD, GUESS, LAST, WALLS_ABROAD};
+use super::words::{self, GROUND_ABROAD, GUESS, LAST, WALLS_ABROAD};
+use super::{marked, stood_on};
 use crate::model::map::{Layer, Map, Placed};
 
 /// Words in the names of layers, the surest first. The next ones count if nothing is solid so far.
-/// Of a layer of collisions, only named values of `LDtk` are left: their own names come first.
-pub(super) const STEPS: [&[&str]; 5] = [COLLISION, GUESS, LAST, WALLS_ABROAD, GROUND_ABROAD];
+pub(super) const STEPS: [&[&str]; 4] = [GUESS, LAST, WALLS_ABROAD, GROUND_ABROAD];
 
 /// The most values that a line names.
 const MOST: usize = 12;
@@ -66,12 +66,10 @@ impl Layers<'_> {
         if sheet.tiles.derived || is_settled(layer, self.options) || marked::denied(&layer.properties).is_some() {
             return;
         }
-        if let Some((_, walls)) = self.stood_on.iter().find(|(ground, _)| std::ptr::eq(*ground, layer)) {
+        if let Some((_, why)) = self.stood_on.iter().find(|(ground, _)| std::ptr::eq(*ground, layer)) {
             if says {
-                self.note(format!(
-                    "GUESS: layer '{0}' is not solid, because layer '{walls}' stands on it; --solid-layer '{0}' makes it solid",
-                    layer.name
-                ));
+                let why = why.clone();
+                self.refused(&layer.name, &why, "--solid-layer");
             }
             return;
         }
@@ -84,7 +82,7 @@ impl Layers<'_> {
                 let known = verdict::names_of_value(&layer.name, *number, name.as_deref());
                 let fits = match name.as_deref() {
                     None => says,
-                    Some(name) => says && list == COLLISION && !words::is_free(name) || words::has(name, list),
+                    Some(name) => words::has(name, list),
                 };
                 if !fits || known.iter().any(|name| self.options.is_flag(name)) {
                     continue;
@@ -99,40 +97,26 @@ impl Layers<'_> {
         if count == 0 {
             return;
         }
-        let rule = if list == COLLISION { Rule::C } else { Rule::D };
-        self.ledger.add(rule, &format!("layer '{}' is full", layer.name), count);
+        self.ledger.add(Rule::D, &format!("layer '{}' is full", layer.name), count);
         if !says {
             self.assumed(&values, "full", if values.all.len() == 1 { "its name" } else { "their names" });
         } else if values.all.is_empty() {
-            self.guessed(&layer.name, &format!("--solid-layer '{}'", layer.name));
+            self.guessed("tiles", &layer.name, "--solid-layer");
         } else {
             self.assumed(&values, "full", "the layer's name");
-        }
-    }
-
-    /// Notes the layers whose names would have counted if the words before them had not.
-    pub(super) fn passed_over(&mut self, sheets: &[Sheet<'_>], list: &[&str]) {
-        if list != LAST && list != GROUND_ABROAD {
-            return;
-        }
-        for sheet in sheets.iter().filter(|sheet| !sheet.used.is_empty() && sheet.pieces.is_empty()) {
-            let name = &sheet.layer.name;
-            if words::has(name, list) && !sheet.tiles.derived {
-                self.note(format!(
-                    "GUESS: layer '{name}' is not solid, because a surer name of a layer is; --solid-layer '{name}' makes it solid"
-                ));
-            }
         }
     }
 
     /// Notes the layers whose names say that they are solid, and most of whose tiles have no
     /// collision shape, if only such shapes make anything solid. Some authors draw them for ramps
     /// only. So tiles of platforms are full if bodies would fall through most of the surface.
-    pub(super) fn forgotten(&mut self, sheets: &mut [Sheet<'_>]) {
-        if self.ledger.0.iter().any(|applied| applied.rule != Rule::B) {
+    pub(super) fn forgotten(&mut self, sheets: &mut [Sheet<'_>], outlines: &[Outline]) {
+        let solid = |sheet: &Sheet<'_>| sheet.shapes.values().any(|shape| super::names::is_solid(*shape));
+        if sheets.iter().any(solid) || sheets.iter().all(|sheet| sheet.pieces.is_empty()) {
             return;
         }
-        for sheet in sheets {
+        let unit = self.unit;
+        for sheet in sheets.iter_mut().filter(|sheet| !stood_on::lies(outlines, sheet, unit)) {
             let (name, cells, width) = (&sheet.layer.name, &sheet.tiles.cells, sheet.tiles.width as usize);
             let is_bare = |entry: &u32| !sheet.pieces.contains_key(entry) && !sheet.flags.contains_key(entry);
             let bare: Vec<(u32, u64)> = sheet.used.iter().copied().filter(|(entry, _)| is_bare(entry)).collect();
@@ -163,10 +147,16 @@ impl Layers<'_> {
     }
 
     /// Notes a guess by the name of a layer.
-    pub(super) fn guessed(&mut self, layer: &str, option: &str) {
+    pub(super) fn guessed(&mut self, what: &str, layer: &str, option: &str) {
         self.note(format!(
-            "GUESS: nothing marks solid tiles, so layer '{layer}' is solid because of its name; {option} confirms it, --ignore-layer '{layer}' refuses it"
+            "GUESS: nothing marks solid {what}, so layer '{layer}' is solid because of its name; {option} '{layer}' \
+             confirms it, --ignore-layer '{layer}' refuses it"
         ));
+    }
+
+    /// Notes that a layer is not solid, although its name has a word of a guess.
+    pub(super) fn refused(&mut self, layer: &str, why: &str, option: &str) {
+        self.note(format!("GUESS: layer '{layer}' is not solid, because {why}; {option} '{layer}' makes it solid"));
     }
 
     /// Notes the values that have this shape because of a name.
@@ -186,12 +176,12 @@ impl Layers<'_> {
         }
     }
 
-    /// Notes the values without an identifier that have a shape because of the name of their layer.
+    /// Notes the values that have a shape because of the name of their layer.
     pub(super) fn assume(&mut self, sheet: &Sheet<'_>, entries: &[u32], shape: &str) {
         let mut values = Values::of(sheet.layer);
         for entry in entries {
-            if let Placed::Value { number, .. } = &self.map.palette[*entry as usize] {
-                values.all.push((*number, None));
+            if let Placed::Value { number, name, .. } = &self.map.palette[*entry as usize] {
+                values.all.push((*number, name.as_deref()));
             }
         }
         if !values.all.is_empty() {

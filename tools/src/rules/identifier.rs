@@ -18,11 +18,16 @@ pub(super) fn meaning(identifier: &str) -> Option<(Rule, TileShape, Vec<String>)
         if let Some(shape) = TileShape::ALL.into_iter().find(plain) {
             return Some((Rule::A, shape, owned(flags)));
         }
-        // `Wall` is among the words below as well: authors often use it for values.
-        let short = if words::has(&name, VALUE) { None } else { traits::shape(&name) };
-        if let Some(shape) = short {
-            return Some((Rule::A, shape, owned(flags)));
-        }
+    }
+    // One way says more than the other words.
+    if words::is_one_way(identifier) {
+        let count = (1..parts.len()).find(|&count| words::is_one_way(&parts[..count].join("_")));
+        return Some((Rule::A, TileShape::OneWayUp, owned(&parts[count.unwrap_or(parts.len())..])));
+    }
+    // `Wall` is among the words below as well: authors often use it for values.
+    let full = |name: &str| !words::has(name, VALUE) && traits::shape(name).is_some();
+    if let Some(count) = (1..=parts.len()).rev().find(|&count| full(&parts[..count].concat())) {
+        return Some((Rule::A, TileShape::Full, owned(&parts[count..])));
     }
     let by_word = [(Rule::D, VALUE), (Rule::C, COLLISION)].into_iter().find(|(_, list)| words::has(identifier, list));
     by_word.map(|(rule, _)| (rule, TileShape::Full, Vec::new()))

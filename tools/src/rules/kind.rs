@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use tilesat::TileShape;
+
+use super::traits;
 use super::words::plain;
 
 /// The kind of an outline.
@@ -18,14 +21,15 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Ignores case, hyphens, underscores and a plural.
+    /// Ignores case, hyphens, underscores and a plural. Words for one-way can have others beside
+    /// them.
     pub fn from_name(name: &str) -> Option<Self> {
-        let name = plain(name);
-        Some(match name.strip_suffix('s').unwrap_or(&name) {
+        let text = plain(name);
+        Some(match text.strip_suffix('s').unwrap_or(&text) {
             "solid" | "collision" | "collide" | "collidable" | "collider" | "blocked" => Self::Solid,
             "hole" => Self::Hole,
             "wall" => Self::Wall,
-            "oneway" => Self::OneWay,
+            _ if traits::shape(name) == Some(TileShape::OneWayUp) => Self::OneWay,
             _ => return None,
         })
     }

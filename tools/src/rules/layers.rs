@@ -15,7 +15,7 @@ use super::outline::{LeftOut, Outline};
 use super::piece::{self, Piece};
 use super::place::Unit;
 use super::report::{Ledger, Rule};
-use super::verdict::{self, Meaning, Solid};
+use super::verdict::{self, Meaning, Solid, Verdict};
 use super::words::{self, COLLISION};
 use crate::model::map::{Content, Layer, Map, Placed, Tiles};
 
@@ -32,7 +32,7 @@ struct ByLayer {
 pub(super) struct Layers<'a> {
     pub(super) map: &'a Map,
     pub(super) options: &'a Options,
-    unit: Unit,
+    pub(super) unit: Unit,
     likeness: Likeness,
     meanings: HashMap<u32, Meaning>,
     /// The layers that the user does not skip.
@@ -40,8 +40,8 @@ pub(super) struct Layers<'a> {
     pub(super) ledger: Ledger,
     pub(super) ignored: Vec<String>,
     pub(super) notes: Vec<String>,
-    /// Ground that walls stand on, and the names of their layers.
-    pub(super) stood_on: Vec<(&'a Layer, &'a str)>,
+    /// Layers that bodies walk on, or that solid objects trace: the reason.
+    pub(super) stood_on: Vec<(&'a Layer, String)>,
 }
 
 impl<'a> Layers<'a> {
@@ -81,9 +81,11 @@ impl<'a> Layers<'a> {
         used.sort_unstable();
         let by_layer = self.layer_rule(layer, tiles);
         let passed = by_layer.is_none() && words::is_passed(&layer.name);
+        let by_user = by_layer.as_ref().is_some_and(|by| by.rule == Rule::Option);
+        let denied = marked::denied(&layer.properties).filter(|_| !by_user);
         let only_flags = guess::is_skipped(layer, self.options);
         let (pieces, shapes, flags, flagged) = (HashMap::new(), HashMap::new(), HashMap::new(), HashMap::new());
-        let mut unnamed = Vec::new();
+        let mut by_name = Vec::new();
         let mut sheet = Sheet { layer, tiles, used, pieces, shapes, flags, flagged };
         for (entry, count) in sheet.used.clone() {
             if !self.meanings.contains_key(&entry) {
@@ -96,39 +98,43 @@ impl<'a> Layers<'a> {
                 let cells = piece::drawn_on(self.map, &self.map.palette[entry as usize], tiles.tile);
                 sheet.flagged.insert(entry, cells);
             }
-            // The name of a layer says less than that of a value, unless the value has no name.
             let value = matches!(self.map.palette[entry as usize], Placed::Value { .. });
-            let named = value && !meaning.flags.is_empty();
-            let by_layer = by_layer.as_ref().filter(|by| !named || by.rule == Rule::Option);
-            let (rule, what, solid) = match (&meaning.verdict, by_layer) {
-                (Some(verdict), _) if passed && verdict.rule == Rule::B => {
-                    let name = &layer.name;
-                    self.note(format!(
-                        "GUESS: collision shapes of layer '{name}' are not solid; --solid-layer '{name}' makes them so"
-                    ));
-                    continue;
-                }
-                (None, Some(by)) if by.rule != Rule::Option && marked::is_sensor(self.map, entry) => continue,
-                (Some(verdict), _) => (verdict.rule, &verdict.what, verdict.solid),
-                (None, Some(by)) => (by.rule, &by.what, Solid::Shape(by.shape)),
-                (None, None) => continue,
-            };
+            let by_layer =
+                by_layer.as_ref().filter(|by| by.rule == Rule::Option || !value || self.follows(entry, meaning));
+            let Some((rule, mut what, solid)) = decided(meaning.verdict.as_ref(), by_layer) else { continue };
+            let is_value = value && rule == Rule::C && meaning.verdict.is_none();
+            if let Some(why) = refusal(layer, rule, (denied, passed)) {
+                self.note(why);
+                continue;
+            }
+            if rule == Rule::C && marked::passes(self.map, entry) {
+                continue;
+            }
             if only_flags {
                 continue;
             }
-            // A value, because of its layer.
-            if value && rule == Rule::C && meaning.verdict.is_none() {
-                unnamed.push(entry);
+            if is_value {
+                by_name.push(entry);
             }
             self.put(&mut sheet, entry, solid);
-            let drawn = sheet.pieces.get(&entry).filter(|_| solid == Solid::Drawn);
-            let what = drawn.map_or_else(|| what.clone(), |piece| format!("{what} are {}", became(piece)));
+            if let Some(piece) = sheet.pieces.get(&entry).filter(|_| !matches!(solid, Solid::Shape(_))) {
+                what = format!("{what} are {}", became(piece));
+            }
             self.ledger.add(rule, &what, count);
         }
         if let Some(by) = &by_layer {
-            self.assume(&sheet, &unnamed, &names::name(by.shape));
+            self.assume(&sheet, &by_name, &names::name(by.shape));
         }
         Ok(sheet)
+    }
+
+    /// Whether the name of its layer decides about a value: its own name says nothing else.
+    fn follows(&self, entry: u32, meaning: &Meaning) -> bool {
+        let Placed::Value { layer, number, name } = &self.map.palette[entry as usize] else { return true };
+        let known = verdict::names_of_value(layer, *number, name.as_deref());
+        meaning.verdict.is_none()
+            && !known.iter().any(|name| self.options.is_flag(name))
+            && !name.as_deref().is_some_and(words::is_free)
     }
 
     /// Gives an entry of a layer its solid.
@@ -143,9 +149,7 @@ impl<'a> Layers<'a> {
 
     /// The shape of all tiles of a layer, and the rule that gives it.
     fn layer_rule(&self, layer: &Layer, tiles: &Tiles) -> Option<ByLayer> {
-        let by = |rule, shape| {
-            Some(ByLayer { rule, shape, what: format!("layer '{}' is {}", layer.name, names::name(shape)) })
-        };
+        let by = |rule, shape| Some(ByLayer { rule, shape, what: format!("layer '{}'", layer.name) });
         if listed(&self.options.one_way_layers, &layer.name) {
             return by(Rule::Option, TileShape::OneWayUp);
         }
@@ -187,15 +191,15 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// The objects of all layers. For a guess by words in the layer's name, only the layers that it
-    /// fits.
-    pub(super) fn objects(&mut self, guess: Option<&[&str]>) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
+    /// The objects of all layers. A guess has words for the names of layers. If tiles are solid, it
+    /// makes only plain objects solid: others are things of the game that move.
+    pub(super) fn objects(&mut self, guess: Option<(&[&str], bool)>) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
         let (mut outlines, mut left_out, mut found, mut rounded) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {
             let Content::Objects(objects) = &layer.content else { continue };
             let mut says = objects::layer_says(layer, self.options);
             // Entities of LDtk are for the game.
-            let fits = guess.is_some_and(|list| words::has(&layer.name, list));
+            let fits = guess.is_some_and(|(list, _)| words::has(&layer.name, list));
             let fits = fits
                 && marked::denied(&layer.properties).is_none()
                 && !listed(&self.options.unguessed_layers, &layer.name);
@@ -204,7 +208,10 @@ impl<'a> Layers<'a> {
                 says = Says::Solid;
             }
             let mut count = 0;
+            let own_says = says;
             for object in objects {
+                let is_thing = guessed && guess.is_some_and(|(_, only_plain)| only_plain) && !object.is_plain();
+                let says = if is_thing { Says::Nothing } else { own_says };
                 match objects::outlines(self.map, object, layer, says, self.unit, self.options)
                     .map_err(|why| format!("layer '{}': {why}", layer.name))?
                 {
@@ -243,7 +250,7 @@ impl<'a> Layers<'a> {
             }
             if guessed && count > 0 {
                 self.ledger.add(Rule::D, &format!("objects of layer '{}'", layer.name), count);
-                self.guessed(&layer.name, &format!("--objects '{}'", layer.name));
+                self.guessed("objects", &layer.name, "--objects");
             }
         }
         // A guess is the second pass: the first one found nothing.
@@ -253,6 +260,35 @@ impl<'a> Layers<'a> {
         }
         Ok((outlines, left_out))
     }
+}
+
+/// What decides about an entry: its own verdict, or its layer.
+fn decided(verdict: Option<&Verdict>, by: Option<&ByLayer>) -> Option<(Rule, String, Solid)> {
+    match (verdict, by) {
+        // One way says more than where the shape is.
+        (Some(verdict), Some(by)) if verdict.rule == Rule::B && by.shape == TileShape::OneWayUp => {
+            Some((by.rule, format!("{}, whose collision shapes", by.what), Solid::Edges(by.shape)))
+        }
+        (Some(verdict), _) => Some((verdict.rule, verdict.what.clone(), verdict.solid)),
+        (None, Some(by)) => {
+            Some((by.rule, format!("{} is {}", by.what, names::name(by.shape)), Solid::Shape(by.shape)))
+        }
+        (None, None) => None,
+    }
+}
+
+/// Why a layer makes nothing of what this rule decides solid. Its own property counts more than all
+/// rules except the user's options.
+fn refusal(layer: &Layer, rule: Rule, (denied, passed): (Option<&str>, bool)) -> Option<String> {
+    let name = &layer.name;
+    if let Some(property) = denied.filter(|_| rule != Rule::Option) {
+        return Some(format!(
+            "layer '{name}' is not solid, because its property '{property}' is false; --solid-layer '{name}' makes it solid"
+        ));
+    }
+    (passed && rule == Rule::B).then(|| {
+        format!("GUESS: collision shapes of layer '{name}' are not solid; --solid-layer '{name}' makes them so")
+    })
 }
 
 /// Finds the library's shapes for drawn ones.

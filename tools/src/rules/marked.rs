@@ -42,6 +42,7 @@ impl Layers<'_> {
             }
             for (entry, count) in sheet.used.clone() {
                 let tile = tile(self.map, entry).filter(|_| !sheet.pieces.contains_key(&entry));
+                let tile = tile.filter(|_| !passes(self.map, entry));
                 let Some(said) = tile.and_then(|tile| said(tile, self.options)) else { continue };
                 let flip = flip(self.map, entry);
                 self.put(sheet, entry, Solid::Shape(flip.of(said.shape)));
@@ -79,20 +80,35 @@ impl Layers<'_> {
         lines
     }
 
-    /// Notes the tiles that are called slopes, and are none: games name directions differently.
+    /// Notes the tiles and values that are called slopes, and are none: games name directions
+    /// differently.
     pub(super) fn slopes(&mut self, sheets: &[Sheet<'_>]) {
         for (sheet, (entry, _)) in sheets.iter().flat_map(|sheet| sheet.used.iter().map(move |used| (sheet, used))) {
-            let is_block = matches!(sheet.pieces.get(entry), None | Some(Piece::Shape(TileShape::Full)));
-            let Some(tile) = tile(self.map, *entry).filter(|_| is_block && !self.map.values) else { continue };
-            let own = tile.properties.0.iter().filter(|(_, value)| !value.is_false()).map(|(name, _)| name);
-            let is = |name: &&String| words::has(name, &["slope", "ramp"]) && !self.options.is_flag(name);
-            if let Some(name) = own.chain([&tile.class]).find(is) {
-                self.note(format!(
-                    "GUESS: tiles with '{name}' are no slopes; --solid TILESET:ID=slope-bottom-left makes one so"
-                ));
+            if !matches!(sheet.pieces.get(entry), None | Some(Piece::Shape(TileShape::Full))) {
+                continue;
+            }
+            let is = |name: &str| words::has(name, &["slope", "ramp"]) && !self.options.names(name);
+            let note = match &self.map.palette[*entry as usize] {
+                Placed::Value { layer, number, name: Some(name) } if is(name) => Some(format!(
+                    "GUESS: value {number} '{name}' of layer '{layer}' is no slope; --solid \
+                     '{layer}:{number}=slope-bottom-left' makes it one"
+                )),
+                Placed::Tile { .. } if !self.map.values => slope(self.map, *entry, is),
+                _ => None,
+            };
+            if let Some(note) = note {
+                self.note(note);
             }
         }
     }
+}
+
+/// The note about a tile with such a name.
+fn slope(map: &Map, entry: u32, is: impl Fn(&str) -> bool) -> Option<String> {
+    let tile = tile(map, entry)?;
+    let own = tile.properties.0.iter().filter(|(_, value)| !value.is_false()).map(|(name, _)| name);
+    let name = own.chain([&tile.class]).find(|name| is(name))?;
+    Some(format!("GUESS: tiles with '{name}' are no slopes; --solid TILESET:ID=slope-bottom-left makes one so"))
 }
 
 /// Whether a class or a true property says that a tile or a shape only notices bodies.
@@ -100,19 +116,20 @@ pub(super) fn senses(class: &str, properties: &Properties) -> bool {
     properties.marks().chain([class]).any(words::is_sensor)
 }
 
-/// Whether a tile says that bodies pass, so that the name of its layer does not make it solid.
+/// Whether a tile says that bodies pass, so that no guess by the name of its layer makes it solid.
 pub(super) fn is_free(map: &Map, entry: u32, options: &Options) -> bool {
-    let says = |tile: &Tile| {
-        let walkable = tile.properties.marks().chain(tile.properties.ones()).any(words::is_walkable);
-        let sides = Sides::of(tile, options).is_some_and(|sides| sides.is_none() || sides.is_unclear());
-        walkable || sides || denied(&tile.properties).is_some()
-    };
-    is_sensor(map, entry) || !map.values && tile(map, entry).is_some_and(says)
+    let sides = |tile: &Tile| Sides::of(tile, options).is_some_and(|sides| sides.is_none() || sides.is_unclear());
+    passes(map, entry) || !map.values && tile(map, entry).is_some_and(sides)
 }
 
-/// Whether a tile only notices bodies, so that not even a layer of collisions makes it solid.
-pub(super) fn is_sensor(map: &Map, entry: u32) -> bool {
-    !map.values && tile(map, entry).is_some_and(|tile| senses(&tile.class, &tile.properties))
+/// Whether a tile says that bodies pass, so that not even a layer of collisions makes it solid.
+pub(super) fn passes(map: &Map, entry: u32) -> bool {
+    let walkable = |own: &Properties| own.marks().chain(own.ones()).any(words::is_walkable);
+    let says = |tile: &Tile| {
+        let own = &tile.properties;
+        senses(&tile.class, own) || walkable(own) || denied(own).is_some()
+    };
+    !map.values && tile(map, entry).is_some_and(says)
 }
 
 /// The first property that says of its owner that it is not solid: `solid` that is false.

@@ -57,6 +57,10 @@ pub(super) fn why(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Option<
         let are = if option == "NAME" { "names of tiles are" } else { "the name of tiles is" };
         let _ = write!(why, "; {are} {names}: add --solid {option}");
     }
+    if let Some((names, option)) = tags(map) {
+        let are = if option == "NAME" { "tags of tiles are" } else { "the tag of tiles is" };
+        let _ = write!(why, "; {are} {names}: add --solid {option}");
+    }
     for hint in hints(map) {
         let _ = write!(why, "; {hint}");
     }
@@ -79,8 +83,20 @@ pub(super) fn why(map: &Map, sheets: &[Sheet<'_>], options: &Options) -> Option<
 /// The names of tiles that no rule knows, and the one for an option. Tiles that bodies walk on are
 /// the wrong ones.
 pub(super) fn names_of_tiles(sheets: &[Sheet<'_>]) -> Option<(String, String)> {
-    let flags = sheets.iter().flat_map(|sheet| sheet.flags.values().flatten()).map(String::as_str);
-    let names: BTreeSet<&str> = flags.filter(|name| !words::is_walkable(name)).collect();
+    choices(sheets.iter().flat_map(|sheet| sheet.flags.values().flatten()).map(String::as_str))
+}
+
+/// The tags of drawn tiles of `LDtk`, and the one for an option.
+fn tags(map: &Map) -> Option<(String, String)> {
+    let tile = |placed: &Placed| match placed {
+        Placed::Tile { tileset, id, .. } if map.values => map.tilesets[*tileset].tiles.get(id),
+        _ => None,
+    };
+    choices(map.palette.iter().filter_map(tile).flat_map(|tile| tile.properties.marks()))
+}
+
+fn choices<'a>(names: impl Iterator<Item = &'a str>) -> Option<(String, String)> {
+    let names: BTreeSet<&str> = names.filter(|name| !words::is_walkable(name)).collect();
     let option = only(names.len(), names.first()?);
     let names: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
     Some((list(&names), option))

@@ -5,14 +5,14 @@ use super::kind::Kind;
 use super::marked;
 use super::options::{Options, listed};
 use super::outline::{LeftOut, Outline, Title};
-use super::piece::Path;
+use super::piece::{self, Path};
 use super::place::Unit;
 use super::words::{self, COLLISION};
-use super::{flat, stamps, traits};
+use super::{edges, flat, left_out, stamps, traits};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Layer, Map};
 use crate::model::object::{Form, Object};
-use crate::model::property::Properties;
+use crate::model::property::Value;
 use tilesat::TileShape;
 
 /// A layer's setting for its objects: a kind, or that they are solid as drawn.
@@ -29,16 +29,18 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     if listed(&options.one_way_layers, &layer.name) {
         return Says::Kind(Kind::OneWay);
     }
-    if let Some(kind) = Kind::from_name(&layer.class).filter(|kind| *kind != Kind::Solid) {
-        return Says::Kind(kind);
-    }
-    // In a layer called `Walls`, each object gets the kind that suits its form.
-    let by_name =
-        own.iter().find_map(|name| Kind::from_name(name)).filter(|kind| matches!(kind, Kind::Hole | Kind::OneWay));
-    if let Some(kind) = by_name {
-        return Says::Kind(kind);
+    if marked::denied(&layer.properties).is_some() && !by_option(layer, options) {
+        return Says::Nothing;
     }
     let around = layer.groups.iter().map(String::as_str);
+    let kinds = || own.iter().copied().filter_map(Kind::from_name);
+    if kinds().any(|kind| kind == Kind::Hole) {
+        return Says::Kind(Kind::Hole);
+    }
+    if own.iter().copied().chain(around.clone()).any(words::is_one_way) {
+        return Says::Kind(Kind::OneWay);
+    }
+    // In a layer called `Walls`, each object gets the kind that suits its form.
     let says = |name: &str| words::has(name, COLLISION) || traits::shape(name) == Some(TileShape::Full);
     if by_option(layer, options) || own.iter().copied().chain(around).any(says) { Says::Solid } else { Says::Nothing }
 }
@@ -68,34 +70,9 @@ pub(super) fn outlines(
     options: &Options,
 ) -> Result<Result<Vec<Drawn>, LeftOut>, String> {
     let title = Title { id: object.id, name: object.name.clone(), layer: layer.name.clone() };
-    let raw = |(x, y): (Decimal, Decimal)| (unit.raw(x + layer.offset.0).0, unit.raw(y + layer.offset.1).0);
-    let at = raw(object.at);
-    let all_corners = form::corners(object);
-    let around = match &all_corners {
-        Some(corners) => corners.points.clone(),
-        None => vec![object.at, (object.at.0 + object.size.0, object.at.1 + object.size.1)],
-    };
-    let around: Vec<(i64, i64)> = around.into_iter().map(raw).collect();
-    let ends = |along: fn(&(i64, i64)) -> i64| {
-        let values = || around.iter().map(along);
-        values().min().zip(values().max())
-    };
-    let area = ends(|p| p.0).zip(ends(|p| p.1)).map(|((x, right), (y, bottom))| [(x, y), (right, bottom)]);
-    let named = object.paths.iter().map(|(name, path)| (name.clone(), path.iter().copied().map(raw).collect()));
-    let named: Vec<(String, Vec<(i64, i64)>)> = named.collect();
-    let points: Vec<(i64, i64)> = match &object.form {
-        Form::Polygon(_) | Form::Polyline(_) => around,
-        _ => named.first().map_or_else(Vec::new, |(_, path)| path.clone()),
-    };
-    let out = |why: String| {
-        let class = if object.class.is_empty() { &layer.class } else { &object.class }.clone();
-        let fields = object.properties.0.iter().chain(&object.fields.0).cloned();
-        let properties = Properties(fields.collect());
-        let (title, points, named) = (title.clone(), points.clone(), named.clone());
-        LeftOut { title, class, at, area, points, named, properties, why, suspicious: false }
-    };
+    let out = |why: String| left_out::of(object, layer, unit, why);
     let left_out = |why: String| Ok(Err(out(why)));
-    let Some(corners) = all_corners else {
+    let Some(corners) = form::corners(object) else {
         return left_out(if object.form == Form::Text { "it is a text" } else { "it is a point" }.to_owned());
     };
     if !form::has_extent(object) {
@@ -109,7 +86,8 @@ pub(super) fn outlines(
     let flat = object.size.0 == Decimal::ZERO || object.size.1 == Decimal::ZERO;
     // What an object says of itself counts more than its layer, and less than the user.
     let of_layer = by_option(layer, options);
-    let denied = marked::denied(&object.properties).filter(|_| !of_layer);
+    let own = [&object.properties, &object.fields];
+    let denied = own.into_iter().find_map(marked::denied).filter(|_| !of_layer);
     let by_user = || of_layer || options.shape(&names(object).map(str::to_owned).collect::<Vec<_>>()).is_some();
     if marked::senses(&object.class, &object.properties) && !by_user() {
         return left_out("it is a sensor or a trigger".to_owned());
@@ -160,29 +138,41 @@ pub(super) fn outlines(
 type Formed = (Kind, Corners, bool);
 
 /// The forms of a solid object. A solid tile has the shapes of Tiled's collision editor, if it has
-/// some.
+/// some. What is one-way has each chain of its edges that face up.
 fn formed(map: &Map, object: &Object, kind: Kind, mut corners: Corners, shapes: Vec<Path>) -> Vec<Formed> {
-    // A line that is drawn as a rectangle.
-    let mut is_line = object.form == Form::Rectangle && object.size.1 == Decimal::ZERO;
     if let Form::Tile(stamp) = &object.form {
-        if kind == Kind::Solid && !shapes.is_empty() {
+        if !shapes.is_empty() && kind != Kind::Hole {
             let placed = |path: Path| {
                 let points = form::of_picture(object, stamp, &path.points);
-                (path.kind, Corners { points, closed: path.closed, error: path.error }, path.torn)
+                Path { points, ..path }
             };
-            return shapes.into_iter().map(placed).collect();
+            let mut paths: Vec<Path> = shapes.into_iter().map(placed).collect();
+            if kind == Kind::OneWay {
+                paths = piece::one_way(paths, TileShape::OneWayUp);
+            }
+            let formed = |path: Path| {
+                (path.kind, Corners { points: path.points, closed: path.closed, error: path.error }, path.torn)
+            };
+            return paths.into_iter().map(formed).collect();
         }
         // The picture can be smaller than the object.
         let ((x, y), (right, bottom)) = stamps::picture(&map.tilesets[stamp.tileset], stamp, object.size);
         corners.points = form::of_picture(object, stamp, &[(x, y), (right, y), (right, bottom), (x, bottom)]);
-        // Bodies stand on top of it, as on a tile of the level.
-        is_line = true;
     }
-    if kind == Kind::OneWay && is_line {
-        corners.points.truncate(2);
-        corners.closed = false;
+    let chains = match (kind, corners.closed) {
+        (Kind::OneWay, true) => edges::facing(&corners.points, TileShape::OneWayUp),
+        (Kind::OneWay, false) => {
+            edges::upward(&mut corners.points);
+            Vec::new()
+        }
+        _ => Vec::new(),
+    };
+    // A vertical line has no edge that faces up.
+    if chains.is_empty() {
+        return vec![(kind, corners, false)];
     }
-    vec![(kind, corners, false)]
+    let chain = |points| (kind, Corners { points, closed: false, error: corners.error }, false);
+    chains.into_iter().map(chain).collect()
 }
 
 /// Why a tile as an object is not solid, and what makes it so. Many are things of the game with a
@@ -214,30 +204,23 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         Some((_, shape)) => return Ok(Some(if super::names::is_one_way(shape) { Kind::OneWay } else { by_form })),
         None => {}
     }
-    // Of names for one kind, the first one counts: the class.
-    let mut kinds: Vec<(Kind, &String)> = Vec::new();
-    for name in own.iter().filter(|name| !options.is_flag(name)) {
-        if let Some(kind) = Kind::from_name(name).filter(|kind| !kinds.iter().any(|(known, _)| known == kind)) {
-            kinds.push((kind, name));
-        }
-    }
-    let is_barrier = |kind: Kind| matches!(kind, Kind::Wall | Kind::Solid);
-    // A wall with a property `collides` says the same thing twice.
-    if kinds.len() > 1 && kinds.iter().all(|(kind, _)| is_barrier(*kind)) {
-        return Ok(Some(by_form));
-    }
-    if let [(a, first), .., (b, last)] = kinds[..] {
+    let is_name = |name: &&String| !options.is_flag(name);
+    let kinds: Vec<(Kind, &String)> =
+        own.iter().filter(is_name).filter_map(|name| Some((Kind::from_name(name)?, name))).collect();
+    if let Some((hole, other)) = contrary(&kinds) {
         let class = object.class.trim();
         let of = |name: &String| {
             let what = if name == class { "class" } else { "property" };
             format!("{what} '{name}'")
         };
-        let (a, b) = (a.min(b), a.max(b));
-        return Err(format!("{whose} is both {a} and {b}: remove its {} or its {}", of(first), of(last)));
+        return Err(format!("{whose} is both solid and hole: remove its {} or its {}", of(hole), of(other)));
     }
-    let by_name = || Kind::from_name(&object.name).map(|kind| if is_barrier(kind) { by_form } else { kind });
-    let written = || written(object).map(|kind| if is_barrier(kind) { by_form } else { kind });
-    let kind = kinds.first().map(|(kind, _)| *kind).or_else(by_name).or_else(written).or(match says {
+    // One way says more than solid. A wall is solid, unless it is a line.
+    let fitting = |kind: Kind| if matches!(kind, Kind::Wall | Kind::Solid) { by_form } else { kind };
+    let one_way = kinds.iter().map(|(kind, _)| *kind).find(|kind| *kind == Kind::OneWay);
+    let own_kind = one_way.or_else(|| kinds.first().map(|(kind, _)| *kind));
+    let by_name = || Kind::from_name(&object.name);
+    let kind = own_kind.or_else(by_name).or_else(|| written(object)).map(fitting).or(match says {
         Says::Kind(kind) => Some(kind),
         Says::Solid => Some(by_form),
         Says::Nothing => None,
@@ -250,6 +233,12 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         ));
     }
     Ok(kind)
+}
+
+/// The names of a hole and of something else, if an object has both.
+fn contrary<'a>(kinds: &[(Kind, &'a String)]) -> Option<(&'a String, &'a String)> {
+    let first = |is_hole: bool| kinds.iter().find(|(kind, _)| (*kind == Kind::Hole) == is_hole).map(|(_, name)| *name);
+    first(true).zip(first(false))
 }
 
 /// The kind that a property with a class or a name in it gives: some engines read properties only.
@@ -268,8 +257,13 @@ pub(super) fn other_kinds(objects: &[LeftOut]) -> Option<String> {
     Some(format!("{count} with the property kind, such as '{first}': no kind of a solid, so it is for the game"))
 }
 
+/// The class, the true properties, and the true fields of an `LDtk` entity that have a word of the
+/// rules. Others are for the game.
 fn names(object: &Object) -> impl Iterator<Item = &str> {
-    let own = [object.class.as_str()].into_iter().chain(object.properties.marks());
+    let fields =
+        object.fields.0.iter().filter(|(name, value)| *value == Value::Bool(true) && traits::shape(name).is_some());
+    let fields = fields.map(|(name, _)| name.as_str());
+    let own = [object.class.as_str()].into_iter().chain(object.properties.marks()).chain(fields);
     own.map(str::trim).filter(|name| !name.is_empty())
 }
 

@@ -69,6 +69,11 @@ impl Options {
         given.map(|(name, shape)| (name.as_str(), *shape))
     }
 
+    /// Whether the user names it, as a flag or with a shape.
+    pub(super) fn names(&self, name: &str) -> bool {
+        self.is_flag(name) || self.shape(&[name.to_owned()]).is_some()
+    }
+
     pub(super) fn is_flag(&self, name: &str) -> bool {
         listed(&self.flags, name)
     }

@@ -4,7 +4,6 @@
 
 use tilesat::TileShape;
 
-use super::form;
 use super::kind::Kind;
 use super::knots::{self, Knot};
 use super::likeness::{self, Likeness};
@@ -13,11 +12,12 @@ use super::names;
 use super::union::union;
 use super::verdict::Solid;
 use super::weld;
+use super::{edges, form};
 use crate::geometry::{Point, doubled_area};
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
-use crate::model::object::{Form, Object, Spot, raw};
+use crate::model::object::{Object, Spot, raw};
 use crate::model::tileset::Tileset;
 
 /// A cell relative to that of a tile, and columns and rows from it on.
@@ -185,7 +185,7 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
             Some((at, size)) => Piece::Cells { at, size, beside: Vec::new() },
             None => Piece::Paths(stretched(shape, frame)),
         },
-        Solid::Drawn => {
+        Solid::Drawn | Solid::Edges(_) => {
             let shapes = set.tiles.get(&id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
             // A tile that is drawn as large as a cell scales its shapes with it.
             let (w, h) = set.size_of(id);
@@ -193,8 +193,11 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
             let mut paths: Vec<Path> = shapes
                 .iter()
                 .filter(|shape| form::has_extent(shape))
-                .filter_map(|shape| path(shape, size, flip, frame))
+                .flat_map(|shape| drawn(shape, size, flip, frame))
                 .collect();
+            if let Solid::Edges(side) = solid {
+                paths = one_way(paths, side);
+            }
             onto_border(&mut paths, frame, weld);
             // A small crossing does not make a polygon unlike a shape of the library.
             match if frame.corners() == cell { recognised(paths, side, likeness) } else { Piece::Paths(paths) } {
@@ -268,25 +271,30 @@ fn near(a: (f64, f64), b: (f64, f64)) -> bool {
     (a.0 - b.0).abs() + (a.1 - b.1).abs() < 1e-6
 }
 
-/// A shape of the collision editor, drawn on a tile of this size, relative to the tile.
-pub(super) fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Option<Path> {
-    let corners = form::corners(object).filter(|_| !senses(&object.class, &object.properties))?;
-    let says = |name: &str| Kind::from_name(name);
+/// A shape of the collision editor, drawn on a tile of this size, relative to the tile. A one-way
+/// shape is each chain of its edges that face up.
+pub(super) fn drawn(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Vec<Path> {
+    let corners = form::corners(object).filter(|_| !senses(&object.class, &object.properties));
+    let Some(form::Corners { mut points, closed, error }) = corners else { return Vec::new() };
     let own = [object.class.as_str(), object.name.as_str()].into_iter().chain(object.properties.marks());
-    let kind = own.into_iter().find_map(says).unwrap_or(Kind::Solid);
-    let (mut points, mut closed, mut kind) = (corners.points, corners.closed, kind);
-    if kind == Kind::OneWay && closed && object.form == Form::Rectangle {
-        // Bodies stand on top of it.
-        points.truncate(2);
-        closed = false;
-    } else if kind.has_area() || kind == Kind::Wall {
+    let kinds: Vec<Kind> = own.filter_map(Kind::from_name).collect();
+    let one_way = kinds.iter().copied().find(|kind| *kind == Kind::OneWay);
+    let kind = match one_way.or(kinds.first().copied()) {
+        Some(Kind::OneWay) => Kind::OneWay,
+        Some(Kind::Hole) if closed => Kind::Hole,
         // A wall's own area is solid, if it has an inside.
-        kind = match kind {
-            Kind::Hole if closed => Kind::Hole,
-            _ if closed => Kind::Solid,
-            _ => Kind::Wall,
-        };
-    }
+        _ if closed => Kind::Solid,
+        _ => Kind::Wall,
+    };
+    let chains = match kind {
+        Kind::OneWay if closed => edges::facing(&points, TileShape::OneWayUp),
+        Kind::OneWay => {
+            edges::upward(&mut points);
+            vec![points]
+        }
+        _ => vec![points],
+    };
+    let closed = closed && kind != Kind::OneWay;
     let (across, down) = if flip.diagonal { (h, w) } else { (w, h) };
     let place = |(x, y): Spot| {
         let (x, y) = if flip.diagonal { (y, x) } else { (x, y) };
@@ -295,12 +303,34 @@ pub(super) fn path(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame
         let [across, down] = frame.scale;
         (frame.x + x.scaled(across.0, across.1), frame.y + y.scaled(down.0, down.1))
     };
-    points = points.into_iter().map(place).collect();
-    // A mirrored chain would block from its other side.
-    if flip.diagonal ^ flip.horizontal ^ flip.vertical {
-        points.reverse();
-    }
-    Some(Path { kind, closed, points, error: corners.error, welded: 0, torn: false })
+    let placed = |chain: Vec<Spot>| {
+        let mut points: Vec<Spot> = chain.into_iter().map(place).collect();
+        // A mirrored chain would block from its other side.
+        if flip.diagonal ^ flip.horizontal ^ flip.vertical {
+            points.reverse();
+        }
+        Path { kind, closed, points, error, welded: 0, torn: false }
+    };
+    chains.into_iter().map(placed).collect()
+}
+
+/// One-way edges in place of solids: those that face a side.
+pub(super) fn one_way(paths: Vec<Path>, side: TileShape) -> Vec<Path> {
+    let edges = |path: Path| {
+        let chains = match path.kind {
+            Kind::OneWay => return vec![path],
+            Kind::Hole => Vec::new(),
+            Kind::Solid | Kind::Wall if path.closed => edges::facing(&path.points, side),
+            Kind::Solid | Kind::Wall => {
+                let mut points = path.points.clone();
+                edges::upward(&mut points);
+                vec![points]
+            }
+        };
+        let chain = |points| Path { kind: Kind::OneWay, closed: false, points, ..path.clone() };
+        chains.into_iter().map(chain).collect()
+    };
+    paths.into_iter().flat_map(edges).collect()
 }
 
 /// A tile with more corners is not a shape of the library.

@@ -50,4 +50,12 @@ impl Ledger {
             None => self.0.push(Applied { rule, what: what.to_owned(), tiles }),
         }
     }
+
+    /// Takes back one of what a rule made solid.
+    pub(super) fn take(&mut self, what: &str) {
+        if let Some(known) = self.0.iter_mut().find(|known| known.what == what) {
+            known.tiles -= 1;
+        }
+        self.0.retain(|known| known.tiles > 0);
+    }
 }

@@ -3,7 +3,7 @@
 
 use super::flat;
 use super::knots::{self, Knot};
-use super::piece::{Frame, Path, path};
+use super::piece::{Frame, Path, drawn};
 use crate::geometry::{Meeting, crossing};
 use crate::model::decimal::Decimal;
 use crate::model::object::{Spot, Stamp, raw};
@@ -25,11 +25,11 @@ pub(super) fn shapes(set: &Tileset, stamp: &Stamp, size: Spot) -> Result<Vec<Pat
     };
     let shapes = set.tiles.get(&stamp.id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
     let mut paths: Vec<Path> =
-        shapes.iter().filter_map(|shape| path(shape, own, stamp.flip, Frame::new(across, down))).collect();
+        shapes.iter().flat_map(|shape| drawn(shape, own, stamp.flip, Frame::new(across, down))).collect();
     let (from, to) = picture(set, stamp, size);
-    let drawn = (to.0 - from.0, to.1 - from.1);
+    let size = (to.0 - from.0, to.1 - from.1);
     for point in paths.iter_mut().flat_map(|path| &mut path.points) {
-        *point = (from.0 + fit(point.0, across, drawn.0), from.1 + fit(point.1, down, drawn.1));
+        *point = (from.0 + fit(point.0, across, size.0), from.1 + fit(point.1, down, size.1));
     }
     // A click in the collision editor leaves a rectangle without a size.
     paths.retain(|path| flat::why(path.kind, path.closed, &raw(&path.points)).is_none());

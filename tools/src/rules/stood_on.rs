@@ -7,10 +7,13 @@ use tilesat::TileShape;
 
 use super::cells::{Cells, Lattice, Sheet};
 use super::form;
+use super::kind::Kind;
 use super::layers::Layers;
+use super::outline::Outline;
 use super::place::Unit;
 use super::report::Rule;
 use super::{marked, nothing, words};
+use crate::geometry::{Point, winding};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map};
 use crate::model::object::{Object, Spot};
@@ -23,11 +26,11 @@ const OVER: &[&str] = &["wall", "obstacle", "block", "boundary", "boundaries", "
 /// The most layers of each of them. Games have fewer, and each pair takes time.
 const MOST: usize = 32;
 
-/// Each layer of ground below a layer of walls, and the name of the latter.
+/// Each layer of ground below a layer of walls, and the words for it.
 ///
 /// Seen from the side, ground leaves room for the air, and walls stand beside it. So the ground has
 /// to cover three quarters of the cells, and to be under three quarters of the walls.
-pub(super) fn layers<'a>(map: &Map, sheets: &[Sheet<'a>], all: &[&'a Layer]) -> Vec<(&'a Layer, &'a str)> {
+pub(super) fn layers<'a>(map: &Map, sheets: &[Sheet<'a>], all: &[&'a Layer]) -> Vec<(&'a Layer, String)> {
     // Values of LDtk have names.
     if map.values {
         return Vec::new();
@@ -45,12 +48,21 @@ pub(super) fn layers<'a>(map: &Map, sheets: &[Sheet<'a>], all: &[&'a Layer]) -> 
             Content::Tiles(_) | Content::Image => false,
         });
         let found = tiles.map(|sheet| sheet.layer).chain(objects.copied()).next();
-        found.map(|layer| (ground.layer, layer.name.as_str()))
+        found.map(|layer| (ground.layer, format!("layer '{}' stands on it", layer.name)))
     };
     ground.take(MOST).filter_map(over).collect()
 }
 
-impl Layers<'_> {
+impl<'a> Layers<'a> {
+    /// Adds the layers on which the solid objects lie. They trace what is drawn, or bodies walk on
+    /// it.
+    pub(super) fn lain_on(&mut self, sheets: &[Sheet<'a>], outlines: &[Outline]) {
+        let Some(first) = outlines.first().map(|outline| &outline.title.layer) else { return };
+        let lain = sheets.iter().filter(|sheet| lies(outlines, sheet, self.unit));
+        let why = |sheet: &Sheet<'a>| (sheet.layer, format!("the solid objects of layer '{first}' lie on it"));
+        self.stood_on.extend(lain.map(why));
+    }
+
     /// Notes that bodies have no room, if only names of layers make the level solid. Writing to a
     /// string cannot fail.
     pub(super) fn crowded(&mut self, sheets: &[Sheet<'_>], cells: &Cells) {
@@ -85,6 +97,42 @@ fn named(layer: &Layer, list: &[&str]) -> bool {
 fn is(sheet: &Sheet<'_>, list: &[&str]) -> bool {
     let decided = sheet.used.iter().any(|(entry, _)| sheet.pieces.contains_key(entry));
     !sheet.used.is_empty() && !decided && !sheet.tiles.derived && named(sheet.layer, list)
+}
+
+/// The most outlines that are compared with a layer, and the most corners of one.
+const MOST_OUTLINES: usize = 256;
+const MOST_CORNERS: usize = 256;
+/// Points in the box around an outline, along each side.
+const PLACES: i64 = 8;
+
+/// Whether most of the solid outlines lie on tiles of a layer.
+pub(super) fn lies(outlines: &[Outline], sheet: &Sheet<'_>, unit: Unit) -> bool {
+    let side = unit.raw(Decimal::whole(sheet.tiles.tile.into())).0.max(1);
+    let (x, y) = (unit.raw(sheet.layer.offset.0).0, unit.raw(sheet.layer.offset.1).0);
+    let on = |p: &Point| sheet.tiles.entry(((p.0 - x).div_euclid(side), (p.1 - y).div_euclid(side))).is_some();
+    let solid = outlines.iter().filter(|outline| outline.kind != Kind::OneWay && outline.points.len() <= MOST_CORNERS);
+    let points: Vec<Point> = solid.take(MOST_OUTLINES).flat_map(places).collect();
+    !points.is_empty() && points.iter().filter(|point| on(point)).count() * 2 >= points.len()
+}
+
+/// Points within a polygon, or the middles of the edges of a chain.
+pub(super) fn places(outline: &Outline) -> Vec<Point> {
+    let middle = |(a, b): (Point, Point)| (a.0.midpoint(b.0), a.1.midpoint(b.1));
+    if !outline.closed {
+        return outline.edges().map(middle).collect();
+    }
+    let ends = |of: fn(&Point) -> i64| {
+        let all = || outline.points.iter().map(of);
+        (all().min().unwrap_or(0), all().max().unwrap_or(0))
+    };
+    let along = |(from, to): (i64, i64), at: i64| from + (to - from) / (2 * PLACES) * (2 * at + 1);
+    let all = (0..PLACES * PLACES).map(|at| (along(ends(|p| p.0), at % PLACES), along(ends(|p| p.1), at / PLACES)));
+    all.filter(|point| is_within(*point, outline)).collect()
+}
+
+/// Whether a point is in a polygon.
+pub(super) fn is_within((x, y): Point, outline: &Outline) -> bool {
+    winding(&outline.points, (2 * x, 2 * y)) != 0
 }
 
 fn drawn(sheet: &Sheet<'_>) -> u64 {

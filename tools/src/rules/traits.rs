@@ -2,24 +2,28 @@
 
 use tilesat::TileShape;
 
-use super::words::plain;
+use super::words::{is_one_way, plain};
 use super::{doubts, names};
 
-/// The names that make a tile full, and those that make it one-way.
+/// The names that make a tile full.
 const FULL: [&str; 8] = ["collision", "solid", "collide", "collides", "collidable", "collider", "wall", "blocked"];
-const ONE_WAY: &str = "oneway";
 
 /// The trait of a class or of the name of a true property: the shape of a tile, or nothing known.
 pub(super) fn shape(name: &str) -> Option<TileShape> {
-    let name = plain(name);
-    let is = |known: &str| name == known || name.strip_suffix('s') == Some(known);
-    if FULL.into_iter().any(is) { Some(TileShape::Full) } else { is(ONE_WAY).then_some(TileShape::OneWayUp) }
+    let text = plain(name);
+    let is = |known: &str| text == known || text.strip_suffix('s') == Some(known);
+    if FULL.into_iter().any(is) {
+        return Some(TileShape::Full);
+    }
+    let edges = || TileShape::ALL.into_iter().filter(|shape| names::is_one_way(*shape));
+    let known = || edges().find(|shape| plain(&names::name(*shape)) == text);
+    is_one_way(name).then(|| known().unwrap_or(TileShape::OneWayUp))
 }
 
-/// The shape that one of these names gives, and that name. Solid takes precedence over one-way.
+/// The shape that one of these names gives, and that name. One-way says more than solid.
 pub(super) fn named<'a>(names: impl Iterator<Item = &'a str>) -> Option<(&'a str, TileShape)> {
     let known = names.filter_map(|name| Some((name, shape(name)?)));
-    known.min_by_key(|(_, shape)| *shape != TileShape::Full)
+    known.min_by_key(|(_, shape)| *shape == TileShape::Full)
 }
 
 /// The shape that the properties `shape` and `npp` name. Games use the word `shape` for other

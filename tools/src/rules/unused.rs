@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write;
 
+use super::options::Options;
 use super::outline::{LeftOut, Outline, Title};
 use super::words::{COLLISION, GUESS, LAST};
 use super::{kind::Kind, marked, traits, words};
@@ -26,7 +27,7 @@ fn key(title: &Title) -> (&str, u32) {
 
 /// A line for each owner of properties that are in no output, for each layer whose objects lose a
 /// text or a rotation, and for each tileset with points or texts among its collision shapes.
-pub(super) fn lines(map: &Map, outlines: &[Outline], left_out: &[LeftOut]) -> Vec<String> {
+pub(super) fn lines(map: &Map, options: &Options, outlines: &[Outline], left_out: &[LeftOut]) -> Vec<String> {
     let mut lines = Vec::new();
     for (owner, properties) in &map.properties {
         let counts = counted(properties.0.iter().filter(|(name, value)| !is_rule(name, value)));
@@ -36,11 +37,16 @@ pub(super) fn lines(map: &Map, outlines: &[Outline], left_out: &[LeftOut]) -> Ve
     for (index, set) in map.tilesets.iter().enumerate() {
         let of_set = counted(set.properties.0.iter().filter(|(_, value)| is_set(value)));
         lines.extend(line(&format!("of tileset '{}'", set.name), &of_set));
+        let tiles = set.tiles.iter().filter(|(id, _)| placed.contains(&(index, **id)));
+        let own = tiles.flat_map(|(_, tile)| &tile.properties.0);
         // `LDtk` has tags only, which serve its drawing rules.
-        let tiles = set.tiles.iter().filter(|(id, _)| !map.values && placed.contains(&(index, **id)));
-        let counts =
-            counted(tiles.flat_map(|(_, tile)| &tile.properties.0).filter(|(name, value)| !of_tile(name, value)));
-        lines.extend(line(&format!("of tiles of tileset '{}'", set.name), &counts));
+        let lost = |(name, value): &&(String, Value)| {
+            let is_tag = traits::shape(name).is_none() && !options.names(name);
+            if map.values { is_tag } else { !of_tile(name, value) }
+        };
+        let (what, fix) = if map.values { ("tags", "; --flag NAME keeps one") } else { ("properties", "") };
+        let owner = format!("of tiles of tileset '{}'", set.name);
+        lines.extend(named(what, &owner, &counted(own.filter(lost))).map(|line| line + fix));
         lines.extend(of_shapes(set, |id| placed.contains(&(index, id)) || stamped.contains(&(index, id))));
     }
     let solid: Titles<'_> = outlines.iter().map(|outline| key(&outline.title)).collect();
@@ -92,10 +98,14 @@ fn counted<'a>(properties: impl Iterator<Item = &'a (String, Value)>) -> Counts<
 }
 
 fn line(owner: &str, counts: &Counts<'_>) -> Option<String> {
+    named("properties", owner, counts)
+}
+
+fn named(what: &str, owner: &str, counts: &Counts<'_>) -> Option<String> {
     if counts.is_empty() {
         return None;
     }
-    let mut text = format!("properties {owner}:");
+    let mut text = format!("{what} {owner}:");
     for (i, (name, count)) in counts.iter().take(MOST).enumerate() {
         // Writing to a string cannot fail.
         let _ = write!(text, "{} '{name}'", if i == 0 { "" } else { "," });

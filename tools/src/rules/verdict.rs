@@ -2,9 +2,9 @@
 
 use tilesat::TileShape;
 
-use super::marked::senses;
+use super::marked::{denied, senses};
 use super::options::Options;
-use super::{Rule, identifier, names, traits};
+use super::{Rule, form, identifier, names, traits};
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::tileset::{Tile, Tileset};
@@ -22,6 +22,8 @@ pub(super) enum Solid {
     Shape(TileShape),
     /// The shapes of the collision editor.
     Drawn,
+    /// The edges of these shapes that face the side of this one-way shape.
+    Edges(TileShape),
 }
 
 /// The data of a palette entry.
@@ -74,17 +76,33 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     known.push(format!("{}:{id}", set.name));
     known.extend(properties.valued());
     let shaped = |rule, what, shape| Some(Verdict { rule, what, solid: Solid::Shape(flip.of(shape)) });
+    let has_shapes =
+        tile.shapes.iter().any(|shape| form::has_extent(shape) && !senses(&shape.class, &shape.properties));
     let verdict = if let Some((name, shape)) = options.shape(&known) {
         flags.retain(|flag| options.is_flag(flag) || !super::words::same(flag, name));
         shaped(Rule::Option, format!("{name} is {}", names::name(shape)), shape)
     } else if let Some(shape) = by_property {
         shaped(Rule::A, format!("property shape or npp is {}", names::name(shape)), shape)
+    } else if senses(&tile.class, properties) {
+        None
     } else if let Some((name, shape)) = by_name {
         let kind = if class == Some(name) { "class" } else { "property" };
-        shaped(Rule::A, format!("{kind} {name} is {}", names::name(shape)), shape)
-    } else if [&tile.properties, &set.properties].into_iter().any(|own| senses(&tile.class, own))
-        || tile.shapes.iter().all(|shape| senses(&shape.class, &shape.properties))
-    {
+        let what = format!("{kind} {name} is {}", names::name(shape));
+        // The mark says that it is solid, and its shapes say where.
+        match flip.of(shape) {
+            TileShape::Full if has_shapes => Some(Verdict {
+                rule: Rule::A,
+                what: format!("{kind} {name}, whose collision shapes"),
+                solid: Solid::Drawn,
+            }),
+            side if has_shapes => Some(Verdict {
+                rule: Rule::A,
+                what: format!("{kind} {name}, whose collision shapes"),
+                solid: Solid::Edges(side),
+            }),
+            _ => shaped(Rule::A, what, shape),
+        }
+    } else if senses("", &set.properties) || !has_shapes || denied(properties).is_some() {
         None
     } else {
         Some(Verdict {

@@ -24,7 +24,10 @@ pub(super) const GROUND_ABROAD: &[&str] = &[
     "boden", "gelände", "gelaende", "erde", "sol", "terre", "suelo", "terreno", "tierra", "chão", "chao", "земля",
     "земли", "地面", "地形", "床",
 ];
-/// What is drawn behind, in the same languages, and their words for not.
+/// What is drawn behind, or for the eye only.
+const BEHIND: &[&str] =
+    &["background", "backdrop", "bg", "behind", "parallax", "fake", "deco", "decor", "decoration", "decorative"];
+/// The same in those languages, and their words for not.
 #[rustfmt::skip]
 const BEHIND_ABROAD: &[&str] = &[
     "hintergrund", "ohne", "kein", "keine", "fond", "arrière", "sans", "fondo", "sin", "fundo", "sem", "фон", "задн",
@@ -92,25 +95,63 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// Whether a name contains one of the words, or its plural.
+/// Whether a name contains one of the words, or its plural. A word of a guess does not count beside
+/// one for what is drawn behind.
 pub(super) fn has(name: &str, list: &[&str]) -> bool {
-    let words = words(name);
-    let is_abroad = || list == WALLS_ABROAD || list == GROUND_ABROAD;
-    any(&words, list) && !denies(&words) && !(is_abroad() && any(&words, BEHIND_ABROAD))
+    mentions(name, list) && !any(&words(name), behind(list))
 }
 
-/// Whether a name contains the words one way, together or apart.
+/// The same beside words for what is drawn behind.
+pub(super) fn mentions(name: &str, list: &[&str]) -> bool {
+    let words = words(name);
+    any(&words, list) && !denies(&words)
+}
+
+/// The words beside which those of a list do not count.
+fn behind(list: &[&str]) -> &'static [&'static str] {
+    if list == WALLS_ABROAD || list == GROUND_ABROAD {
+        BEHIND_ABROAD
+    } else if list == GUESS || list == LAST || list == VALUE {
+        BEHIND
+    } else {
+        &[]
+    }
+}
+
+/// Words for what blocks bodies from above only.
+const ONE_WAY: &[[&str; 2]] = &[
+    ["one", "way"],
+    ["semi", "solid"],
+    ["solid", "top"],
+    ["jump", "through"],
+    ["jump", "thru"],
+    ["pass", "through"],
+    ["pass", "thru"],
+    ["drop", "through"],
+    ["drop", "thru"],
+];
+
+/// Whether these two words begin here, apart or as one word: `one way`, `onewayplatform`.
+fn begins(words: &[String], [first, second]: [&str; 2]) -> bool {
+    let together = |word: &String| word.strip_prefix(first).is_some_and(|rest| rest.starts_with(second));
+    match words {
+        [word, ..] if together(word) => true,
+        [word, next, ..] => word == first && is(next, second),
+        _ => false,
+    }
+}
+
+/// Whether a name contains words for what blocks bodies from above only: one way, semi solid.
 pub(super) fn is_one_way(name: &str) -> bool {
     let words = words(name);
-    let word = |at: usize| words.get(at).map_or("", |word| word.strip_suffix('s').unwrap_or(word));
-    let is = |at: usize| word(at) == "oneway" || word(at) == "one" && word(at + 1) == "way";
-    (0..words.len()).any(is) && !denies(&words)
+    let at = |from: usize| ONE_WAY.iter().any(|two| begins(&words[from..], *two));
+    (0..words.len()).any(at) && !denies(&words)
 }
 
 /// Whether a name says that something is not solid.
 pub(super) fn is_free(name: &str) -> bool {
     let words = words(name);
-    any(&words, FREE) || denies(&words)
+    any(&words, FREE) || any(&words, BEHIND) || denies(&words)
 }
 
 /// Whether the name of a tile or of its property says that bodies walk there.
@@ -133,7 +174,8 @@ pub(super) fn is_passed(name: &str) -> bool {
 pub(super) fn is_blocked(name: &str) -> bool {
     let words = words(name);
     let walkable = any(&words, WALKABLE);
-    (any(&words, COLLISION) || any(&words, BLOCKED)) && !denies(&words) || walkable && denies(&words)
+    let blocks = (any(&words, COLLISION) || any(&words, BLOCKED)) && !denies(&words) && !is_one_way(name);
+    blocks || walkable && denies(&words)
 }
 
 /// The words for the sides of a tile, clockwise from the top.

@@ -178,7 +178,9 @@ fn the_report_counts() {
         ]
     );
     // A loop of four edges has a face on each side of each.
-    let fence = objects(r#"<object id="1" type="Wall" width="16" height="16"/>"#);
+    let fence = objects(
+        r#"<object id="1" width="16" height="16"><properties><property name="kind" value="wall"/></properties></object>"#,
+    );
     let (ran, _) = baked(scratch("bake", "fence.tmx", fence), "fence.bin", "");
     assert!(ran.out.starts_with("objects 1 in 8 segments"), "{ran:?}");
     let room = scratch("bake", "room.tmx", rows(&["####", "####", "####", " ## "]));

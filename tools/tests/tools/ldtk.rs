@@ -232,8 +232,10 @@ fn names_without_a_meaning_in_a_layer_of_collisions() {
         cells == "=#" && notes[0].contains("is one-way-up") && notes[0].contains("--one-way 'OneWay:1'"),
         "{notes:?}"
     );
-    // As before, a name that means a solid leaves the others alone.
-    assert_eq!(layer(&["grass", "wall"], "1,2,0"), (".#.".to_owned(), Vec::new()));
+    // Neither a name that means a solid nor a one-way value changes what the others are.
+    for (names, cells) in [(["grass", "wall"], "##."), (["grass", "OneWay"], "#=."), (["Bg_wall", "Fake_wall"], "")] {
+        assert_eq!(layer(&names, "1,2,0").0, cells, "{names:?}");
+    }
     assert_eq!(layer(&["water"], "1").0, "");
     let flag = Options { flags: vec!["grass".to_owned()], ..Options::default() };
     assert_eq!(decided(&grids(&[("Collisions", &["grass", "one"], "1,2")]), &flag).0, ".#");

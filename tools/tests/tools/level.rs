@@ -103,7 +103,7 @@ fn names_of_tiles() {
     for name in ["OneWay", "one-way", "One_Ways"] {
         assert_eq!(shapes(&drawn("names", &[&[name]], 1, &[("a", &[1])]).unwrap()), [ONE_WAY], "{name}");
     }
-    assert_eq!(shapes(&drawn("names", &[&["OneWay", "Solid", "oneway"]], 1, &[("a", &[1])]).unwrap()), [FULL]);
+    assert_eq!(shapes(&drawn("names", &[&["OneWay", "Solid", "oneway"]], 1, &[("a", &[1])]).unwrap()), [ONE_WAY]);
     let flags = drawn("names", &[&["Kill", "kill", "Ice", "Solid"]], 1, &[("a", &[1])]).unwrap().flags;
     assert_eq!(flags, ["Kill", "Ice"]);
 }

@@ -45,8 +45,11 @@ fn no_code_is_forgotten() {
 /// Neither the order of the file nor the direction of polygons changes a finding about one object.
 #[test]
 fn winding_and_order_do_not_matter() {
-    let hole =
-        |points: &str| format!(r#"<object id="4" type="Hole" x="0" y="0"><polygon points="{points}"/></object>"#);
+    let hole = |points: &str| {
+        format!(
+            r#"<object id="4" x="0" y="0"><properties><property name="kind" value="hole"/></properties><polygon points="{points}"/></object>"#
+        )
+    };
     let solid = |points: &str| format!(r#"<object id="3" x="0" y="0"><polygon points="{points}"/></object>"#);
     let (there, back) = ("0,0 64,0 64,64 0,64", "0,64 64,64 64,0 0,0");
     let (inner, outer) = ("8,8 16,8 16,16 8,16", "80,16 88,16 88,8 80,8");

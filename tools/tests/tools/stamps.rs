@@ -112,8 +112,9 @@ fn shapes_of_the_tile() {
         assert_eq!((found.outlines[0].kind, found.outlines[0].title.id), (Kind::Solid, 7));
     }
     assert_eq!(corners(&ramp(2, r#"type="Solid" rotation="90""#)), [[(100, 50), (100, 82), (116, 82)]]);
-    // One-way and without shapes, it is the picture that counts.
-    assert_eq!(corners(&ramp(2, r#"type="OneWay""#)), [[(100, 34), (132, 34)]]);
+    // One-way, it is the edge of the shape that faces up. Without shapes, the picture counts.
+    assert_eq!(corners(&ramp(2, r#"type="OneWay""#)), [[(100, 50), (132, 34)]]);
+    assert_eq!(corners(&ramp(3, r#"type="OneWay""#)), [[(100, 34), (132, 34)]]);
     assert_eq!(corners(&ramp(3, r#"type="Solid""#)), [[(100, 34), (100, 50), (132, 34), (132, 50)]]);
 }
 

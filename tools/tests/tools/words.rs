@@ -65,7 +65,7 @@ fn floors_and_boundaries_are_the_last_guess() {
         assert_eq!(found, "1 0", "{name}");
         assert!(notes.contains(&format!("layer '{name}' is not solid")) && notes.contains("layer 'Walls' is solid"));
         let (found, notes) = cells(&[(name, "##.."), ("Collision", "..#.")], PLAIN, &[]);
-        assert_eq!((found.as_str(), notes.as_str()), ("1 0", ""), "{name}");
+        assert!(found == "1 0" && notes.contains(&format!("layer '{name}' is not solid")), "{notes}");
     }
 }
 
@@ -185,5 +185,6 @@ fn other_languages() {
         "{notes}"
     );
     assert_eq!(cells(&[("Mauer", "##."), ("Walls", "..#")], PLAIN, &[]).0, "1 0");
-    assert_eq!(cells(&[("Mauer", "##."), ("Collision", "..#")], PLAIN, &[]), ("1 0".to_owned(), String::new()));
+    let (found, notes) = cells(&[("Mauer", "##."), ("Collision", "..#")], PLAIN, &[]);
+    assert!(found == "1 0" && notes.contains("layer 'Mauer' is not solid"), "{notes}");
 }

@@ -5,11 +5,11 @@ mod raw;
 mod tiles;
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use super::file::Files;
-use super::json;
+use super::{Pick, json};
 use crate::model::map::{Content, Layer, Map, Place, Placed, Tiles};
 use crate::model::property::Value;
 use crate::model::tileset::{Tile, Tileset};
@@ -46,7 +46,7 @@ pub(super) fn looks(bytes: &[u8]) -> Looks {
 }
 
 /// All levels of a project, or the one of this name.
-pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut Files) -> Result<Vec<Map>> {
+pub(super) fn read(bytes: &[u8], pick: Pick<'_>, path: &Path, files: &mut Files) -> Result<Vec<Map>> {
     let project: raw::Project = json::parse(bytes).map_err(|why| format!("not an LDtk project: {why}"))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let tilesets: Vec<Rc<Tileset>> = project.defs.tilesets.iter().map(|set| Rc::new(tileset(set, folder))).collect();
@@ -75,14 +75,14 @@ pub(super) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut F
         };
         return Err(why.to_owned());
     }
-    if let Some(wanted) = level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
+    if let Some(wanted) = pick.level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
     }
     let mut maps = Vec::new();
     for (number, world) in worlds.into_iter().enumerate() {
         for found in world.levels {
             let name = name(&world.identifier, &found.identifier);
-            if level.is_none_or(|wanted| wanted == name) {
+            if pick.has(&name) {
                 let of_level = |why: String| format!("level '{name}': {why}");
                 let world = world.layout.is_some().then_some(number);
                 maps.push(reader.level(found, &name, world).map_err(of_level)?);
@@ -204,6 +204,7 @@ impl Reader<'_> {
         let place = Place { x: level.world_x, y: level.world_y, width: level.px_wid, height: level.px_hei, plane };
         Ok(Map {
             grid: (1, 1),
+            project: PathBuf::new(),
             name: name.to_owned(),
             tile,
             size: (level.px_wid / u32::from(tile), level.px_hei / u32::from(tile)),

@@ -14,7 +14,7 @@ mod tags;
 mod unpack;
 mod world;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::file::Files;
 use super::json;
@@ -90,6 +90,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files, projects: &mut Projects) 
     reader.warnings.extend(reader.sets.warnings);
     let read = Map {
         name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        project: PathBuf::new(),
         tile,
         grid,
         size: (map.width.saturating_mul(grid.0), map.height.saturating_mul(grid.1)),

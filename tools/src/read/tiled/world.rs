@@ -11,7 +11,7 @@ use super::patterns::{self, Listed, Pattern};
 use super::project::Projects;
 use crate::model::map::{Map, Place, Tiles};
 use crate::read::file::Files;
-use crate::read::{json, lax};
+use crate::read::{Pick, json, lax};
 
 type Result<T> = std::result::Result<T, String>;
 
@@ -30,7 +30,7 @@ struct World {
 }
 
 /// All maps of a world, or the one of this name.
-pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, files: &mut Files) -> Result<Vec<Map>> {
+pub(in crate::read) fn read(bytes: &[u8], pick: Pick<'_>, path: &Path, files: &mut Files) -> Result<Vec<Map>> {
     let mut world: World = json::parse(bytes)
         .map_err(|why| super::foreign::mark(bytes).unwrap_or_else(|| format!("not a world of Tiled: {why}")))?;
     let folder = path.parent().unwrap_or(Path::new(""));
@@ -42,12 +42,12 @@ pub(in crate::read) fn read(bytes: &[u8], level: Option<&str>, path: &Path, file
         return Err(format!("a world of Tiled with more than {MAX_MAPS} maps"));
     }
     let names = names(&world.maps)?;
-    if let Some(wanted) = level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
+    if let Some(wanted) = pick.level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
     }
     let (mut maps, mut cells, mut projects) = (Vec::new(), 0, Projects::default());
     for (listed, name) in world.maps.iter().zip(names) {
-        if level.is_some_and(|wanted| wanted != name) {
+        if !pick.has(&name) {
             continue;
         }
         let file = files.named(folder, &listed.file_name);

@@ -1,0 +1,118 @@
+//! The search for what is solid in the levels of a project. Sure names come first. Then guesses
+//! count for tiles if no tile of the project is solid, and for objects if no object is.
+//!
+//! All levels of a project are decided together: a layer means the same in each of them. What is
+//! one-way does not end the search, because bodies fall past it.
+
+use super::cells::Sheet;
+use super::ground::Doubt;
+use super::guess;
+use super::kind::Kind;
+use super::layers::Layers;
+use super::names;
+use super::options::Options;
+use super::outline::{LeftOut, Outline};
+use super::piece::Piece;
+use super::place::Unit;
+use super::{stood_on, unread};
+use crate::model::map::{Content, Map};
+
+type Made<T> = std::result::Result<T, String>;
+
+/// What is known about a level so far.
+pub(super) struct Search<'a> {
+    pub(super) map: &'a Map,
+    pub(super) layers: Layers<'a>,
+    pub(super) sheets: Vec<Sheet<'a>>,
+    pub(super) outlines: Vec<Outline>,
+    pub(super) left_out: Vec<LeftOut>,
+    pub(super) doubts: Vec<Doubt>,
+}
+
+impl<'a> Search<'a> {
+    /// What all rules except guesses say.
+    pub(super) fn of(map: &'a Map, options: &'a Options) -> Made<Self> {
+        let mut layers = Layers::new(map, options, Unit::new(options.scale))?;
+        let mut sheets = Vec::new();
+        for layer in layers.all.clone() {
+            match &layer.content {
+                // LDtk lists each layer in each level, drawn or not.
+                Content::Tiles(tiles) if map.values && tiles.cells.is_empty() => {}
+                Content::Tiles(tiles) => sheets.push(layers.sheet(layer, tiles)?),
+                Content::Objects(_) => {}
+                Content::Image => layers.ignored.push(format!("image layer '{}'", layer.name)),
+            }
+        }
+        let mut doubts = unread::templates(map, options)?;
+        doubts.extend(unread::tilesets(map, &sheets)?);
+        let (outlines, left_out) = layers.objects(None)?;
+        Ok(Self { map, layers, sheets, outlines, left_out, doubts })
+    }
+
+    fn has_solid_tile(&self) -> bool {
+        self.sheets.iter().flat_map(|sheet| sheet.pieces.values()).any(is_solid)
+    }
+
+    fn has_solid_object(&self) -> bool {
+        self.outlines.iter().any(|outline| outline.kind != Kind::OneWay)
+    }
+
+    /// Makes the layers solid whose names have one of these words.
+    fn guess(&mut self, list: &[&str], (tiles, objects): (bool, bool)) -> Made<()> {
+        for sheet in self.sheets.iter_mut().filter(|_| tiles) {
+            self.layers.guess(sheet, list);
+        }
+        if objects {
+            let only_plain = !tiles;
+            (self.outlines, self.left_out) = self.layers.objects(Some((list, only_plain)))?;
+        }
+        Ok(())
+    }
+}
+
+/// Guesses in the levels of a project, the surest first, as long as nothing is solid.
+///
+/// # Errors
+///
+/// One line about the object that contradicts a guess.
+pub(super) fn guess(levels: &mut [Search<'_>]) -> Made<()> {
+    let tiles = |levels: &[Search<'_>]| levels.iter().any(Search::has_solid_tile);
+    let objects = |levels: &[Search<'_>]| levels.iter().any(Search::has_solid_object);
+    let marked = tiles(levels);
+    if !marked {
+        for level in &mut *levels {
+            level.layers.guess_by_tiles(&mut level.sheets);
+        }
+        for level in &mut *levels {
+            level.layers.stood_on = stood_on::layers(level.map, &level.sheets, &level.layers.all);
+            level.layers.lain_on(&level.sheets, &level.outlines);
+        }
+    }
+    for list in guess::STEPS {
+        let before = (tiles(levels), objects(levels));
+        if before.0 && before.1 {
+            break;
+        }
+        for level in &mut *levels {
+            level.guess(list, (!before.0, !before.1))?;
+        }
+        if (tiles(levels), objects(levels)) != before {
+            break;
+        }
+    }
+    if tiles(levels) || objects(levels) {
+        for level in levels {
+            level.layers.passed_over(&level.sheets, &level.outlines, &level.left_out);
+        }
+    }
+    Ok(())
+}
+
+/// Whether it stops bodies from more than one side.
+fn is_solid(piece: &Piece) -> bool {
+    match piece {
+        Piece::Shape(shape) => names::is_solid(*shape),
+        Piece::Cells { .. } => true,
+        Piece::Paths(paths) => paths.iter().any(|path| path.kind != Kind::OneWay),
+    }
+}

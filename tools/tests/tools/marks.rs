@@ -1,0 +1,152 @@
+//! Marks of tiles, layers and objects: how they go with drawn shapes, and what denies them.
+
+use crate::support::{map, objects, rows, run, scratch};
+
+fn baked(name: &str, text: &str) -> serde_json::Value {
+    let ran = run("bake", scratch("marks", name, text), "--json");
+    assert_eq!(ran.status, 0, "{ran:?}");
+    serde_json::from_str(&ran.out).unwrap()
+}
+
+/// A property that is true or false.
+fn property(name: &str, value: bool) -> String {
+    format!(r#"<properties><property name="{name}" type="bool" value="{value}"/></properties>"#)
+}
+
+const RAMP: &str =
+    r#"<objectgroup><object id="1" x="0" y="0"><polygon points="16,0 16,16 0,16"/></object></objectgroup>"#;
+
+/// A mark says that a tile is solid. Its drawn shape says where.
+#[test]
+fn a_marked_tile_has_its_drawn_shape() {
+    for own in [r#"class="Solid">"#.to_owned(), format!(">{}", property("collides", true))] {
+        let text =
+            rows(&["#"]).replace(r#"<tile id="0" type="Solid"/>"#, &format!(r#"<tile id="0" {own}{RAMP}</tile>"#));
+        assert_eq!(baked("ramp.tmx", &text)["shapes"]["slope-bottom-right"], 1, "{own}");
+    }
+    // A sensor has no shape, and a property names one.
+    let sensor = RAMP.replace(r#"y="0">"#, &format!(r#"y="0">{}"#, property("sensor", true)));
+    let text = rows(&["#"]).replace(r#"type="Solid"/>"#, &format!(r#"type="Solid">{sensor}</tile>"#));
+    assert_eq!(baked("sensor.tmx", &text)["shapes"]["full"], 1);
+    let named = r#"type="Solid"><properties><property name="shape" value="half-top"/></properties>"#;
+    let text = rows(&["#"]).replace(r#"type="Solid"/>"#, &format!("{named}{RAMP}</tile>"));
+    assert_eq!(baked("named.tmx", &text)["shapes"]["half-top"], 1);
+}
+
+/// A tree that is larger than a cell has a trunk.
+#[test]
+fn a_large_marked_tile_has_its_drawn_shape() {
+    let tree = r#"<tileset firstgid="1" name="t" tilewidth="32" tileheight="48" tilecount="4" columns="4">"#;
+    let trunk = r#"<objectgroup><object id="1" x="12" y="36" width="8" height="12"/></objectgroup>"#;
+    let text = map(2, 3, "0,0,0,0,1,0", "");
+    let from = text.find("<tileset").unwrap();
+    let to = text.find("</tileset>").unwrap();
+    let text =
+        format!("{}{tree}<tile id=\"0\">{}{trunk}</tile>{}", &text[..from], property("collides", true), &text[to..]);
+    let found = baked("tree.tmx", &text);
+    assert!(found["solid"] == 0 && found["segments"] == 4, "{found}");
+}
+
+/// What its author denies is not solid because of a shape, the name of a layer or a guess.
+#[test]
+fn what_is_denied_is_not_solid() {
+    for name in ["solid", "collides", "Collidable"] {
+        let own = format!("<tile id=\"2\">{}{RAMP}</tile>", property(name, false));
+        let text = rows(&["#."]).replace(r#"<tile id="2" type="Kill"/>"#, &own).replace("1,0", "1,3");
+        assert_eq!(baked("tile.tmx", &text)["solid"], 1, "{name}");
+        assert_eq!(baked("layer.tmx", &text.replace("World", "Collision"))["solid"], 1, "{name}");
+        // The property of a layer counts more than the marks of its tiles.
+        let text = rows(&["#"]).replace("World", "Collision");
+        let both = |denied: &str| {
+            let layer = format!(
+                r#"<layer id="3" name="Collision" width="1" height="1">{denied}<data encoding="csv">1</data></layer><objectgroup"#
+            );
+            baked("denied.tmx", &text.replace("<objectgroup", &layer))
+        };
+        let found = both(&property(name, false));
+        let note = format!("layer 'Collision' is not solid, because its property '{name}' is false");
+        assert!(found["rules"][0]["tiles"] == 1 && found["notes"].to_string().contains(&note), "{found}");
+        assert_eq!(both("")["rules"][0]["tiles"], 2);
+    }
+    // A mark that is denied by another one: the sensor.
+    let own = format!(r#"type="Solid">{}</tile>"#, property("sensor", true));
+    let text = rows(&["#="]).replace(r#"type="Solid"/>"#, &own);
+    assert_eq!(baked("marked.tmx", &text)["solid"], 0);
+}
+
+/// A wall is solid within if it has an inside, however it is named.
+#[test]
+fn closed_walls_are_solid() {
+    let segments = |text: &str| baked("wall.tmx", text)["segments"].clone();
+    let object = |own: &str| format!(r#"<object id="1" x="0" y="0" {own} width="16" height="16"/>"#);
+    let plain = objects(&object(r#"class="Wall""#)).replace(r#"class="Solid""#, "");
+    assert_eq!(segments(&plain), 4);
+    assert_eq!(segments(&objects(&object("")).replace(r#"class="Solid""#, r#"class="Walls""#)), 4);
+    assert_eq!(segments(&objects(&object(r#"name="wall""#)).replace(r#"class="Solid""#, "")), 4);
+    let line = r#"<object id="1" class="Solid" x="0" y="0"><polyline points="0,0 16,0"/></object>"#;
+    assert_eq!(segments(&objects(line)), 2);
+}
+
+/// A hole in nothing is for the game.
+#[test]
+fn holes_without_a_solid() {
+    let solid = r#"<object id="1" x="0" y="0" width="64" height="64"/>"#;
+    let hole = |x: u32| format!(r#"<object id="2" class="Hole" x="{x}" y="16" width="16" height="16"/>"#);
+    let text = |x: u32| objects(&(solid.to_owned() + &hole(x)));
+    assert_eq!(baked("hole.tmx", &text(16))["segments"], 8);
+    let found = baked("stray.tmx", &text(96));
+    assert!(found["segments"] == 4 && found["objects"][0]["class"] == "Hole", "{found}");
+    assert!(found["notes"].to_string().contains("it is a hole, and no solid polygon is around it"), "{found}");
+}
+
+/// Tags of tiles of `LDtk` that are no marks are in the report, and in the refusal.
+#[test]
+fn tags_that_no_output_has() {
+    let project = |tags: &str| {
+        format!(
+            r#"{{"defs":{{"layers":[],"tilesets":[{{"uid":9,"identifier":"T","pxWid":64,"pxHei":64,"tileGridSize":16,"enumTags":[{tags}]}}]}},
+            "levels":[{{"identifier":"A","pxWid":32,"pxHei":16,"layerInstances":[{{"__type":"Tiles","__identifier":"Deco","__cWid":2,"__cHei":1,"__gridSize":16,
+            "__tilesetDefUid":9,"layerDefUid":2,"gridTiles":[{{"px":[0,0],"src":[0,0],"f":0,"t":0}},{{"px":[16,0],"src":[16,0],"f":0,"t":1}}]}}]}}]}}"#
+        )
+    };
+    let tag = |name: &str, id: u32| format!(r#"{{"enumValueId":"{name}","tileIds":[{id}]}}"#);
+    let text = project(&[tag("Solid", 0), tag("Spike", 1)].join(","));
+    let found = baked("tags.ldtk", &text);
+    assert!(
+        found["unused"].to_string().contains("tags of tiles of tileset 'T': 'Spike': no output has them"),
+        "{found}"
+    );
+    let ran = run("bake", scratch("marks", "tags.ldtk", text), "--json --flag Spike");
+    assert!(ran.out.contains(r#""unused":[]"#) && ran.out.contains(r#""Spike":1"#), "{ran:?}");
+    let ran = run("bake", scratch("marks", "tags.ldtk", project(&tag("Spike", 1))), "--json");
+    assert!(ran.err.contains("the tag of tiles is 'Spike': add --solid 'Spike'"), "{ran:?}");
+}
+
+/// A true field of an entity is a mark, if its name is one.
+#[test]
+fn fields_of_entities_that_are_marks() {
+    let project = |value: bool| {
+        format!(
+            r#"{{"defs":{{"layers":[]}},"levels":[{{"identifier":"A","pxWid":64,"pxHei":64,"layerInstances":[{{"__type":"Entities","__identifier":"E","__cWid":4,"__cHei":4,"__gridSize":16,
+            "entityInstances":[{{"__identifier":"Wall","__pivot":[0,0],"px":[0,0],"width":16,"height":16}},{{"__identifier":"Box","__pivot":[0,0],"px":[32,0],"width":16,"height":16,
+            "fieldInstances":[{{"__identifier":"solid","__type":"Bool","__value":{value}}}]}}]}}]}}]}}"#
+        )
+    };
+    assert_eq!(baked("field.ldtk", &project(true))["segments"], 8);
+    assert_eq!(baked("field.ldtk", &project(false))["segments"], 4);
+}
+
+/// Words of the language are no slips of the pen, and an option settles what is one.
+#[test]
+fn names_that_are_nearly_words() {
+    let text = |class: &str| {
+        let list = format!(r#"<object id="1" class="{class}" x="0" y="0" width="8" height="8"/>"#);
+        rows(&["#"]).replace("</objectgroup>", &format!("{list}</objectgroup>")).replace(r#"class="Solid""#, "")
+    };
+    for class in ["Block", "Blocks", "Well", "Home", "Walk"] {
+        assert_eq!(baked("near.tmx", &text(class))["warnings"], serde_json::json!([]), "{class}");
+    }
+    assert!(baked("slip.tmx", &text("Colision"))["warnings"].to_string().contains("close to 'collision'"));
+    let ran = run("bake", scratch("marks", "slip.tmx", text("Colision")), "--json --flag Colision");
+    assert!(ran.out.contains(r#""warnings":[]"#), "{ran:?}");
+}
