@@ -47,9 +47,10 @@ A tile is solid by the first of these rules that applies:
 Words for one-way are one way, semi solid, solid top, jump through, jump thru, pass
 through and drop through, in any case, together or apart: OneWayPlatform, semi-solid.
 One way says more than solid. Rule d looks for objects in the same way, with the names
-of their layers; if tiles are solid, only objects without a class, properties and a
-picture count. One-way finds do not end the search. All levels of a file are decided
-together. A note names each guess, and each layer that a guess would have made solid.
+of their layers; if tiles are solid, only objects without a name, a class, properties
+and a picture count. One-way finds do not end the search. All levels of a file are
+decided together. A note names each guess, and each layer that a guess would have made
+solid.
 What a tile, an object or a layer denies (solid or collides is false, walkable is true,
 sensor or trigger is true) is not solid by b, c and d. A layer denies a, too.
 All other classes and true properties are flags: the first eight, from the lowest layer

@@ -63,8 +63,10 @@ pub struct Object {
 }
 
 impl Object {
-    /// Whether it is nothing but a form: it has no class, no properties and no picture.
+    /// Whether it is nothing but a form: it has no name, no class, no properties and no picture.
     pub(crate) fn is_plain(&self) -> bool {
-        self.class.trim().is_empty() && self.properties.0.is_empty() && !matches!(self.form, Form::Tile(_))
+        [&self.name, &self.class].into_iter().all(|text| text.trim().is_empty())
+            && self.properties.0.is_empty()
+            && !matches!(self.form, Form::Tile(_))
     }
 }

@@ -34,6 +34,11 @@ impl Kind {
         })
     }
 
+    /// Whether it stops bodies from all sides.
+    pub(crate) fn is_solid(self) -> bool {
+        matches!(self, Self::Solid | Self::Wall)
+    }
+
     /// Whether the outline has an inside.
     pub fn has_area(self) -> bool {
         matches!(self, Self::Solid | Self::Hole)

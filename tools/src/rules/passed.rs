@@ -3,7 +3,6 @@
 
 use super::cells::Sheet;
 use super::guess::{STEPS, is_settled};
-use super::kind::Kind;
 use super::layers::Layers;
 use super::objects::{self, Says};
 use super::options::listed;
@@ -47,7 +46,7 @@ impl Layers<'_> {
             };
             self.refused(name, why, "--solid-layer");
         }
-        let marked = outlines.iter().any(|outline| outline.kind != Kind::OneWay);
+        let marked = outlines.iter().any(|outline| outline.kind.is_solid());
         for layer in self.all.clone() {
             let guessed = matches!(layer.content, Content::Objects(_)) && !self.map.values && is_named(layer);
             let unsaid = objects::layer_says(layer, self.options) == Says::Nothing;
@@ -61,7 +60,7 @@ impl Layers<'_> {
             } else if marked {
                 "other objects are"
             } else {
-                "its objects have a class, properties or a picture, as things of the game have"
+                "its objects have a name, a class, properties or a picture, as things of the game have"
             };
             self.refused(&layer.name, why, "--objects");
         }
@@ -83,9 +82,14 @@ impl Layers<'_> {
 
 /// Whether a guess looks at the layer: its name has a word for a solid, and nothing denies it.
 fn is_named(layer: &Layer) -> bool {
-    STEPS.iter().any(|list| words::mentions(&layer.name, list)) && marked::denied(&layer.properties).is_none()
+    says(layer, words::mentions) && marked::denied(&layer.properties).is_none()
 }
 
 fn is_behind(layer: &Layer) -> bool {
-    !STEPS.iter().any(|list| words::has(&layer.name, list))
+    !says(layer, words::has)
+}
+
+fn says(layer: &Layer, has: fn(&str, &[&str]) -> bool) -> bool {
+    let mut own = [&layer.name, &layer.class].into_iter().chain(&layer.marks);
+    own.any(|name| STEPS.iter().any(|list| has(name, list)))
 }

@@ -7,7 +7,6 @@
 use super::cells::Sheet;
 use super::ground::Doubt;
 use super::guess;
-use super::kind::Kind;
 use super::layers::Layers;
 use super::names;
 use super::options::Options;
@@ -54,7 +53,7 @@ impl<'a> Search<'a> {
     }
 
     fn has_solid_object(&self) -> bool {
-        self.outlines.iter().any(|outline| outline.kind != Kind::OneWay)
+        self.outlines.iter().any(|outline| outline.kind.is_solid())
     }
 
     /// Makes the layers solid whose names have one of these words.
@@ -113,6 +112,6 @@ fn is_solid(piece: &Piece) -> bool {
     match piece {
         Piece::Shape(shape) => names::is_solid(*shape),
         Piece::Cells { .. } => true,
-        Piece::Paths(paths) => paths.iter().any(|path| path.kind != Kind::OneWay),
+        Piece::Paths(paths) => paths.iter().any(|path| path.kind.is_solid()),
     }
 }

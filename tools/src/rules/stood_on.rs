@@ -7,7 +7,6 @@ use tilesat::TileShape;
 
 use super::cells::{Cells, Lattice, Sheet};
 use super::form;
-use super::kind::Kind;
 use super::layers::Layers;
 use super::outline::Outline;
 use super::place::Unit;
@@ -110,7 +109,7 @@ pub(super) fn lies(outlines: &[Outline], sheet: &Sheet<'_>, unit: Unit) -> bool 
     let side = unit.raw(Decimal::whole(sheet.tiles.tile.into())).0.max(1);
     let (x, y) = (unit.raw(sheet.layer.offset.0).0, unit.raw(sheet.layer.offset.1).0);
     let on = |p: &Point| sheet.tiles.entry(((p.0 - x).div_euclid(side), (p.1 - y).div_euclid(side))).is_some();
-    let solid = outlines.iter().filter(|outline| outline.kind != Kind::OneWay && outline.points.len() <= MOST_CORNERS);
+    let solid = outlines.iter().filter(|outline| outline.kind.is_solid() && outline.points.len() <= MOST_CORNERS);
     let points: Vec<Point> = solid.take(MOST_OUTLINES).flat_map(places).collect();
     !points.is_empty() && points.iter().filter(|point| on(point)).count() * 2 >= points.len()
 }

@@ -4,7 +4,8 @@ use tilesat::TileShape;
 
 use super::marked::{denied, senses};
 use super::options::Options;
-use super::{Rule, form, identifier, names, traits};
+use super::sides::Sides;
+use super::{Rule, form, identifier, names, traits, words};
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::tileset::{Tile, Tileset};
@@ -65,7 +66,10 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     marks.sort_unstable();
     let own: Vec<&str> = class.into_iter().chain(marks).collect();
     let mut known: Vec<String> = own.iter().copied().chain(properties.ones()).map(str::to_owned).collect();
-    let free = |name: &&str| !options.is_flag(name);
+    // Of several sides, one alone says nothing.
+    let several = Sides::of(tile, options).is_some_and(|sides| sides.names.len() > 1);
+    let is_side = |name: &str| several && words::blocked_side(name).is_some();
+    let free = |name: &&str| !options.is_flag(name) && !is_side(name);
     let by_name = traits::named(own.iter().copied().chain(properties.ones()).filter(free));
     let mut flags: Vec<String> = Vec::new();
     for name in own.iter().filter(|name| options.is_flag(name) || traits::shape(name).is_none()) {
@@ -79,7 +83,7 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
     let has_shapes =
         tile.shapes.iter().any(|shape| form::has_extent(shape) && !senses(&shape.class, &shape.properties));
     let verdict = if let Some((name, shape)) = options.shape(&known) {
-        flags.retain(|flag| options.is_flag(flag) || !super::words::same(flag, name));
+        flags.retain(|flag| options.is_flag(flag) || !words::same(flag, name));
         shaped(Rule::Option, format!("{name} is {}", names::name(shape)), shape)
     } else if let Some(shape) = by_property {
         shaped(Rule::A, format!("property shape or npp is {}", names::name(shape)), shape)

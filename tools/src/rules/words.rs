@@ -37,34 +37,13 @@ const BEHIND_ABROAD: &[&str] = &[
 pub(super) const VALUE: &[&str] =
     &["wall", "ground", "terrain", "platform", "block", "obstacle", "dirt", "stone", "rock", "brick", "earth"];
 /// In the name of a value that is not solid even in a layer of collisions.
+#[rustfmt::skip]
 const FREE: &[&str] = &[
-    "air",
-    "empty",
-    "none",
-    "nothing",
-    "void",
-    "free",
-    "walkable",
-    "passable",
-    "water",
-    "lava",
-    "acid",
-    "liquid",
-    "ladder",
-    "vine",
-    "rope",
-    "climb",
-    "climbable",
-    "coin",
-    "spike",
-    "hazard",
-    "death",
-    "kill",
-    "trigger",
-    "spawn",
-    "exit",
-    "goal",
-    "checkpoint",
+    "air", "empty", "none", "nothing", "void", "free", "sky", "hole", "pit", "gap", "abyss", "walkable",
+    "passable", "water", "lava", "acid", "liquid", "fire", "poison", "ladder", "vine", "rope", "climb",
+    "climbable", "stair", "coin", "item", "pickup", "spike", "hazard", "damage", "hurt", "death", "kill",
+    "trigger", "sensor", "event", "zone", "portal", "teleport", "teleporter", "warp", "spawn", "start",
+    "entrance", "exit", "finish", "goal", "checkpoint", "player", "enemy", "npc",
 ];
 /// In the name of a tile that bodies walk on.
 const WALKABLE: &[&str] = &["walkable", "passable"];

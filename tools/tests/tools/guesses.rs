@@ -296,6 +296,7 @@ fn tiles_that_block_from_sides() {
     let all = [
         ["ge_collide_left", "ge_collide_right", "ge_collide_top", "ge_collide_bottom"],
         ["collideUp", "collideDown", "collideLeft", "collideRight"],
+        ["solid_top", "solid_bottom", "solid_left", "solid_right"],
         ["collides_north", "collides_south", "collides_west", "collides_east"],
     ];
     for names in all {

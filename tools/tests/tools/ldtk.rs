@@ -233,7 +233,12 @@ fn names_without_a_meaning_in_a_layer_of_collisions() {
         "{notes:?}"
     );
     // Neither a name that means a solid nor a one-way value changes what the others are.
-    for (names, cells) in [(["grass", "wall"], "##."), (["grass", "OneWay"], "#=."), (["Bg_wall", "Fake_wall"], "")] {
+    for (names, cells) in [
+        (["grass", "wall"], "##."),
+        (["grass", "OneWay"], "#=."),
+        (["Bg_wall", "Fake_wall"], ""),
+        (["grass", "pit"], "#.."),
+    ] {
         assert_eq!(layer(&names, "1,2,0").0, cells, "{names:?}");
     }
     assert_eq!(layer(&["water"], "1").0, "");

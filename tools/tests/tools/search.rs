@@ -59,10 +59,12 @@ fn tiles_and_objects_are_searched_apart() {
         found == "4 0 4" && notes.contains("nothing marks solid objects, so layer 'Obstacles' is solid"),
         "{notes}"
     );
-    // A lift has a class, properties or a picture.
+    // A lift has a name, a class, properties or a picture.
+    let lift = object("Platforms", r#"name="lift""#, (0, 0));
+    assert_eq!(baked(&level(&[("Map", FLOOR)], marked, &lift)).0, "4 0 0");
     let (found, notes) = baked(&level(&[("Map", FLOOR)], marked, &object("Platforms", r#"class="Lift""#, (0, 0))));
     assert!(
-        found == "4 0 0" && notes.contains("layer 'Platforms' is not solid, because its objects have a class"),
+        found == "4 0 0" && notes.contains("layer 'Platforms' is not solid, because its objects have a name"),
         "{notes}"
     );
 }
