@@ -39,9 +39,9 @@ A tile is solid by the first of these rules that applies:
      its layer is named wall, ground, terrain, platform, block, obstacle or physics; if
      still none is: floor, boundary or barrier; then collision, wall, platform and
      ground in German, French, Spanish, Portuguese, Russian, Chinese or Japanese. Ground
-     that is nearly everywhere, and on which such walls stand, is not solid, nor is a
-     layer on which the solid objects lie, nor one with a word such as background, bg,
-     deco or fake. Values of an LDtk IntGrid follow these words too, also dirt, stone,
+     that is nearly everywhere, and on which such walls stand, is not solid, nor is ground
+     beside a layer of solid objects, nor any layer on which the solid objects lie, nor
+     one with a word such as background, bg, deco or fake. Values of an LDtk IntGrid follow these words too, also dirt, stone,
      rock, brick, earth, and names of shapes, with flags: SlopeTopLeft_Ice. Values
      without an identifier follow the rules c and d of their layer
 Words for one-way are one way, semi solid, solid top, jump through, jump thru, pass

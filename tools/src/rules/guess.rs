@@ -115,8 +115,8 @@ impl Layers<'_> {
         if sheets.iter().any(solid) || sheets.iter().all(|sheet| sheet.pieces.is_empty()) {
             return;
         }
-        let unit = self.unit;
-        for sheet in sheets.iter_mut().filter(|sheet| !stood_on::lies(outlines, sheet, unit)) {
+        let (unit, points) = (self.unit, stood_on::points(outlines));
+        for sheet in sheets.iter_mut().filter(|sheet| !stood_on::lies(&points, sheet, unit)) {
             let (name, cells, width) = (&sheet.layer.name, &sheet.tiles.cells, sheet.tiles.width as usize);
             let is_bare = |entry: &u32| !sheet.pieces.contains_key(entry) && !sheet.flags.contains_key(entry);
             let bare: Vec<(u32, u64)> = sheet.used.iter().copied().filter(|(entry, _)| is_bare(entry)).collect();

@@ -82,9 +82,11 @@ pub(super) fn guess(levels: &mut [Search<'_>]) -> Made<()> {
         for level in &mut *levels {
             level.layers.guess_by_tiles(&mut level.sheets);
         }
+        let of_solids = levels.iter().find_map(|level| level.layers.of_solids(&level.outlines));
+        let of_solids = of_solids.map(str::to_owned);
         for level in &mut *levels {
             level.layers.stood_on = stood_on::layers(level.map, &level.sheets, &level.layers.all);
-            level.layers.lain_on(&level.sheets, &level.outlines);
+            level.layers.lain_on(&level.sheets, &level.outlines, of_solids.as_deref());
         }
     }
     for list in guess::STEPS {

@@ -8,6 +8,7 @@ use tilesat::TileShape;
 use super::cells::{Cells, Lattice, Sheet};
 use super::form;
 use super::layers::Layers;
+use super::objects::{self, Says};
 use super::outline::Outline;
 use super::place::Unit;
 use super::report::Rule;
@@ -53,13 +54,29 @@ pub(super) fn layers<'a>(map: &Map, sheets: &[Sheet<'a>], all: &[&'a Layer]) -> 
 }
 
 impl<'a> Layers<'a> {
+    /// The layer of objects that says that they are solid, if they are.
+    pub(super) fn of_solids(&self, outlines: &[Outline]) -> Option<&'a str> {
+        let has = |name: &str| outlines.iter().any(|outline| outline.kind.is_solid() && outline.title.layer == name);
+        let says = |layer: &Layer| objects::layer_says(layer, self.options) == Says::Solid;
+        let mut all = self.all.iter().filter(|layer| layer.tiles().is_none() && says(layer));
+        all.find(|layer| has(&layer.name)).map(|layer| layer.name.as_str())
+    }
+
     /// Adds the layers on which the solid objects lie. They trace what is drawn, or bodies walk on
-    /// it.
-    pub(super) fn lain_on(&mut self, sheets: &[Sheet<'a>], outlines: &[Outline]) {
-        let Some(first) = outlines.first().map(|outline| &outline.title.layer) else { return };
-        let lain = sheets.iter().filter(|sheet| lies(outlines, sheet, self.unit));
-        let why = |sheet: &Sheet<'a>| (sheet.layer, format!("the solid objects of layer '{first}' lie on it"));
-        self.stood_on.extend(lain.map(why));
+    /// it. Of a project with a layer of solid objects, adds all ground: seen from above, bodies
+    /// walk on it.
+    pub(super) fn lain_on(&mut self, sheets: &[Sheet<'a>], outlines: &[Outline], of_solids: Option<&str>) {
+        let first = outlines.first().map_or("", |outline| &outline.title.layer);
+        let points = points(outlines);
+        for sheet in sheets {
+            let is_ground = is(sheet, UNDER) && !words::has(&sheet.layer.name, OVER);
+            let why = match of_solids {
+                Some(layer) if is_ground => format!("layer '{layer}' has the solid objects"),
+                _ if lies(&points, sheet, self.unit) => format!("the solid objects of layer '{first}' lie on it"),
+                _ => continue,
+            };
+            self.stood_on.push((sheet.layer, why));
+        }
     }
 
     /// Notes that bodies have no room, if only names of layers make the level solid. Writing to a
@@ -104,14 +121,18 @@ const MOST_CORNERS: usize = 256;
 /// Points in the box around an outline, along each side.
 const PLACES: i64 = 8;
 
-/// Whether most of the solid outlines lie on tiles of a layer.
-pub(super) fn lies(outlines: &[Outline], sheet: &Sheet<'_>, unit: Unit) -> bool {
+/// Points in and on the solid outlines.
+pub(super) fn points(outlines: &[Outline]) -> Vec<Point> {
+    let solid = outlines.iter().filter(|outline| outline.kind.is_solid() && outline.points.len() <= MOST_CORNERS);
+    solid.take(MOST_OUTLINES).flat_map(places).collect()
+}
+
+/// Whether most of these points lie on tiles of a layer.
+pub(super) fn lies(points: &[Point], sheet: &Sheet<'_>, unit: Unit) -> bool {
     let side = unit.raw(Decimal::whole(sheet.tiles.tile.into())).0.max(1);
     let (x, y) = (unit.raw(sheet.layer.offset.0).0, unit.raw(sheet.layer.offset.1).0);
-    let on = |p: &Point| sheet.tiles.entry(((p.0 - x).div_euclid(side), (p.1 - y).div_euclid(side))).is_some();
-    let solid = outlines.iter().filter(|outline| outline.kind.is_solid() && outline.points.len() <= MOST_CORNERS);
-    let points: Vec<Point> = solid.take(MOST_OUTLINES).flat_map(places).collect();
-    !points.is_empty() && points.iter().filter(|point| on(point)).count() * 2 >= points.len()
+    let on = |p: &&Point| sheet.tiles.entry(((p.0 - x).div_euclid(side), (p.1 - y).div_euclid(side))).is_some();
+    !points.is_empty() && points.iter().filter(on).count() * 2 >= points.len()
 }
 
 /// Points within a polygon, or the middles of the edges of a chain.
@@ -124,8 +145,9 @@ pub(super) fn places(outline: &Outline) -> Vec<Point> {
         let all = || outline.points.iter().map(of);
         (all().min().unwrap_or(0), all().max().unwrap_or(0))
     };
+    let (wide, high) = (ends(|p| p.0), ends(|p| p.1));
     let along = |(from, to): (i64, i64), at: i64| from + (to - from) / (2 * PLACES) * (2 * at + 1);
-    let all = (0..PLACES * PLACES).map(|at| (along(ends(|p| p.0), at % PLACES), along(ends(|p| p.1), at / PLACES)));
+    let all = (0..PLACES * PLACES).map(|at| (along(wide, at % PLACES), along(high, at / PLACES)));
     all.filter(|point| is_within(*point, outline)).collect()
 }
 

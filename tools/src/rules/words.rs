@@ -40,10 +40,10 @@ pub(super) const VALUE: &[&str] =
 #[rustfmt::skip]
 const FREE: &[&str] = &[
     "air", "empty", "none", "nothing", "void", "free", "sky", "hole", "pit", "gap", "abyss", "walkable",
-    "passable", "water", "lava", "acid", "liquid", "fire", "poison", "ladder", "vine", "rope", "climb",
-    "climbable", "stair", "coin", "item", "pickup", "spike", "hazard", "damage", "hurt", "death", "kill",
-    "trigger", "sensor", "event", "zone", "portal", "teleport", "teleporter", "warp", "spawn", "start",
-    "entrance", "exit", "finish", "goal", "checkpoint", "player", "enemy", "npc",
+    "passable", "water", "lava", "acid", "liquid", "ladder", "vine", "rope", "climb", "climbable", "stair",
+    "coin", "item", "pickup", "spike", "hazard", "death", "kill", "trigger", "sensor", "event", "zone",
+    "portal", "teleport", "teleporter", "warp", "spawn", "start", "entrance", "exit", "finish", "goal",
+    "checkpoint", "player", "enemy", "npc",
 ];
 /// In the name of a tile that bodies walk on.
 const WALKABLE: &[&str] = &["walkable", "passable"];
