@@ -41,9 +41,10 @@ A tile is solid by the first of these rules that applies:
      ground in German, French, Spanish, Portuguese, Russian, Chinese or Japanese. Ground
      that is nearly everywhere, and on which such walls stand, is not solid, nor is ground
      beside a layer of solid objects, nor any layer on which the solid objects lie, nor
-     one with a word such as background, bg, deco or fake. Values of an LDtk IntGrid follow these words too, also dirt, stone,
-     rock, brick, earth, and names of shapes, with flags: SlopeTopLeft_Ice. Values
-     without an identifier follow the rules c and d of their layer
+     one with a word such as background, bg, deco or fake. Values of an LDtk IntGrid
+     follow these words too, also dirt, stone, rock, brick, earth, and names of shapes,
+     with flags: SlopeTopLeft_Ice. Values without an identifier follow the rules c and d
+     of their layer
 Words for one-way are one way, semi solid, solid top, jump through, jump thru, pass
 through and drop through, in any case, together or apart: OneWayPlatform, semi-solid.
 One way says more than solid. Rule d looks for objects in the same way, with the names
@@ -51,8 +52,9 @@ of their layers; if tiles are solid, only objects without a name, a class, prope
 and a picture count. One-way finds do not end the search. All levels of a file are
 decided together. A note names each guess, and each layer that a guess would have made
 solid.
-What a tile, an object or a layer denies (solid or collides is false, walkable is true,
-sensor or trigger is true) is not solid by b, c and d. A layer denies a, too.
+What a tile, an object or a layer denies (its property solid or collides is false) is not
+solid by b, c and d. Nor is a tile that is walkable, by c and d. A sensor or a trigger is
+not solid by a, either, nor is a tile in a layer that denies it.
 All other classes and true properties are flags: the first eight, from the lowest layer
 up. These options come first:
   --solid NAME[=SHAPE]  tiles of this name are full, or of this shape
@@ -67,7 +69,8 @@ up. These options come first:
   --objects NAME        the objects of the layer are solid
   --ignore-level NAME   skip the level of a project, which need not be readable
   --layer NAME          look for solids in this tile layer only
-  --level NAME          take this level of a project (bake and lint: default all)
+  --level NAME          take this level of a project (bake and lint: default all), and
+                        decide about it alone
   --scale N/D           multiply all lengths by this
   --weld PX             move corners of tiles' collision shapes by up to this, from 0 to 1,
                         onto their tile's border and onto neighbours' corners (default: 0.25)

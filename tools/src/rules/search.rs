@@ -4,6 +4,8 @@
 //! All levels of a project are decided together: a layer means the same in each of them. What is
 //! one-way does not end the search, because bodies fall past it.
 
+use std::collections::BTreeMap;
+
 use super::cells::Sheet;
 use super::ground::Doubt;
 use super::guess;
@@ -88,6 +90,7 @@ pub(super) fn guess(levels: &mut [Search<'_>]) -> Made<()> {
             level.layers.stood_on = stood_on::layers(level.map, &level.sheets, &level.layers.all);
             level.layers.lain_on(&level.sheets, &level.outlines, of_solids.as_deref());
         }
+        share(levels);
     }
     for list in guess::STEPS {
         let before = (tiles(levels), objects(levels));
@@ -107,6 +110,20 @@ pub(super) fn guess(levels: &mut [Search<'_>]) -> Made<()> {
         }
     }
     Ok(())
+}
+
+/// A layer that bodies walk on in one level is no solid in another one.
+fn share(levels: &mut [Search<'_>]) {
+    let known = levels.iter().flat_map(|level| &level.layers.stood_on);
+    let known: BTreeMap<String, String> = known.map(|(layer, why)| (layer.name.clone(), why.clone())).collect();
+    for Search { layers, sheets, .. } in levels {
+        for sheet in sheets {
+            let is_new = !layers.stood_on.iter().any(|(layer, _)| std::ptr::eq(*layer, sheet.layer));
+            if let Some(why) = known.get(&sheet.layer.name).filter(|_| is_new) {
+                layers.stood_on.push((sheet.layer, why.clone()));
+            }
+        }
+    }
 }
 
 /// Whether it stops bodies from more than one side.

@@ -115,6 +115,13 @@ fn a_world_does_not_contradict_itself() {
         let note = "layer 'Ground' is not solid, because tiles of other levels are; --solid-layer 'Ground'";
         assert!(ran.status == 0 && ran.out.contains(note) && !ran.out.contains("solid because of its name"), "{ran:?}");
     }
+    // Walls stand on the ground of one map, so the ground of the other one is not solid.
+    let everywhere = "1,1,1,1,1,1,1,1,1,1,1,1";
+    scratch("search", "a.tmx", level(&[("Ground", everywhere), ("Walls", ABOVE)], "", ""));
+    scratch("search", "b.tmx", level(&[("Ground", FLOOR), ("Walls", ABOVE)], "", ""));
+    let ran = run("bake", scratch("search", "w.world", world), "--json");
+    let solid = ran.out.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["solid"].clone());
+    assert_eq!(solid.collect::<Vec<_>>(), [2, 2], "{ran:?}");
     // Alone, the map is guessed.
     let ran = run("bake", scratch("search", "b.tmx", level(&[("Ground", FLOOR)], marked, "")), "--json");
     assert!(ran.out.contains("\"solid\":4"), "{ran:?}");
