@@ -3,16 +3,37 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::names;
-use super::words::{plain, several};
+use super::words::{self, plain, several};
 use crate::model::map::{Map, Placed};
 
 /// The words that make something solid or one-way.
 const WORDS: [&str; 8] = ["collision", "solid", "collides", "collidable", "wall", "blocked", "oneway", "hole"];
 
 /// Words of the language that are as near as a slip of the pen, and are none.
-const ORDINARY: [&str; 20] = [
-    "walk", "well", "will", "wail", "wale", "wally", "hold", "home", "hope", "hose", "hoe", "hone", "hale", "holy",
-    "sold", "block", "blocker", "booked", "backed", "bricked",
+const ORDINARY: [&str; 23] = [
+    "walk",
+    "well",
+    "will",
+    "wail",
+    "wale",
+    "wally",
+    "hold",
+    "home",
+    "hope",
+    "hose",
+    "hoe",
+    "hone",
+    "hale",
+    "holy",
+    "sold",
+    "block",
+    "blocker",
+    "booked",
+    "backed",
+    "bricked",
+    "blockade",
+    "collie",
+    "collusion",
 ];
 
 /// For each name that is a letter or two from a word of the rules: who it is, and what it may mean.
@@ -52,6 +73,10 @@ fn placed(placed: &Placed) -> Option<(usize, u32)> {
 }
 
 fn near(name: &str) -> Option<&'static str> {
+    // A name with a right word in it is of several words: blocked by.
+    if words::has(name, &WORDS) {
+        return None;
+    }
     let name = plain(name);
     if ORDINARY.contains(&name.strip_suffix('s').unwrap_or(&name)) {
         return None;

@@ -175,7 +175,8 @@ fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
     outlines.splice(0..0, of_tiles);
     layers.stray_holes(&mut outlines, &mut left_out);
     if outlines.is_empty() && cells.kinds.iter().all(|kind| kind.shape == TileShape::Empty) {
-        let explained = nothing::why(map, &sheets, options).map(|why| explained(map, &why, &sides, &left_out));
+        let explained =
+            nothing::why(map, &sheets, options).map(|why| explained(map, &why, (&sides, &layers.notes), &left_out));
         match explained {
             None => layers.notes.push("it is empty: nothing is drawn".to_owned()),
             Some(why) if options.bare => {
@@ -232,11 +233,15 @@ fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
     Ok(ground)
 }
 
-/// The reason that nothing is solid, with what tiles say of sides, and what the reader says.
-fn explained(map: &Map, why: &str, sides: &BTreeSet<String>, left_out: &[LeftOut]) -> String {
+/// The reason that nothing is solid, with what tiles say of sides, what the rules refuse, and what
+/// the reader says.
+fn explained(map: &Map, why: &str, (sides, notes): (&BTreeSet<String>, &[String]), left_out: &[LeftOut]) -> String {
     let missing = map.tilesets.iter().find_map(|set| set.missing.as_ref());
     let why = missing.map_or(why.to_owned(), |missing| format!("{missing}; without it, {why}"));
-    let why = sides.iter().take(MOST_REASONS).fold(why, |why, line| format!("{why}; {line}"));
+    // The words about sides are a guess in the notes.
+    let refused = notes.iter().filter(|note| !note.starts_with("GUESS"));
+    let lines = sides.iter().take(MOST_REASONS).chain(refused.take(MOST_REASONS));
+    let why = lines.fold(why, |why, line| format!("{why}; {line}"));
     let slips = left_out.iter().filter(|object| object.suspicious);
     let slips = slips.map(|object| (object.title.to_string(), object.why.clone()));
     let read = map.warnings.iter().cloned().chain(doubts::shapes(map)).chain(slips);

@@ -68,6 +68,11 @@ fn what_is_denied_is_not_solid() {
         assert!(found["rules"][0]["tiles"] == 1 && found["notes"].to_string().contains(&note), "{found}");
         assert_eq!(both("")["rules"][0]["tiles"], 2);
     }
+    // The refusal of a level says it, too.
+    let denied = format!(r#"height="1">{}<data"#, property("solid", false));
+    let text = map(1, 1, "4", "").replace("World", "Collision").replace(r#"height="1"><data"#, &denied);
+    let ran = run("bake", scratch("marks", "all.tmx", text), "--json");
+    assert!(ran.status == 2 && ran.err.contains("because its property 'solid' is false"), "{ran:?}");
     // A mark that is denied by another one: the sensor.
     let own = format!(r#"type="Solid">{}</tile>"#, property("sensor", true));
     let text = rows(&["#="]).replace(r#"type="Solid"/>"#, &own);
