@@ -121,6 +121,11 @@ fn options_are_lines_of_the_project_file() {
     let lines = build::folder(&levels, &out).unwrap().warnings;
     let both = [r#"; solid-layer = ["My Ground"] in tilesat.toml confirms it"#, r#"ignore-layer = ["My Ground"] in"#];
     assert!(both.iter().all(|part| lines[0].contains(part)) && !lines[0].contains("--"), "{lines:?}");
+    // So are those of a refused level beside a good one.
+    fs::write(levels.join("hollow.tmx"), rows(&["#"]).replace(r#"<tile id="0" type="Solid"/>"#, "")).unwrap();
+    fs::write(levels.join("good.tmx"), rows(&["#"])).unwrap();
+    let why = build::folder(&levels, &out).unwrap_err().to_string();
+    assert!(why.contains(r#"solid-layer = ["World"] in tilesat.toml"#) && !why.contains("--"), "{why}");
 }
 
 /// A level whose file has no Rust name gets another one, and two of one name are refused.

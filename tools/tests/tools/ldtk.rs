@@ -232,6 +232,9 @@ fn names_without_a_meaning_in_a_layer_of_collisions() {
         cells == "=#" && notes[0].contains("is one-way-up") && notes[0].contains("--one-way 'OneWay:1'"),
         "{notes:?}"
     );
+    // Games name directions differently.
+    let (_, notes) = decided(&grids(&[("G", &["Slope_left", "Full"], "1,2")]), &none);
+    assert!(notes[0].contains("value 1 'Slope_left' of layer 'G' is no slope"), "{notes:?}");
     // Neither a name that means a solid nor a one-way value changes what the others are.
     for (names, cells) in [
         (["grass", "wall"], "##."),
