@@ -30,7 +30,7 @@ pub(super) enum Boxes {
 
 /// A solid, and how it ranks among the others.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct Reachable {
     /// The gap to the character, then the key and the slot. No order of the broad phase counts.
     rank: (u32, u32, usize),
     solid: Solid,
@@ -39,7 +39,7 @@ struct Candidate {
 
 /// The nearest boxes of bodies and lifts, as solids.
 pub(super) struct Reached {
-    nearest: Vec<Candidate, MOST>,
+    nearest: Vec<Reachable, MOST>,
 }
 
 impl Reached {
@@ -60,7 +60,7 @@ impl Reached {
         let mut reached = Self { nearest: Vec::new() };
         for (slot, lift) in lifts.iter().enumerate().filter(|(_, lift)| lift.shape().touches(&region)) {
             let rank = (gap(bounds, &lift.shape()), lift.key().into(), slot);
-            reached.add(Candidate { rank, solid: *lift, body: None });
+            reached.add(Reachable { rank, solid: *lift, body: None });
         }
         scene.near.in_region(&region, |other| {
             let slot = |at: Handle| scene.slots.get(at.slot());
@@ -70,13 +70,13 @@ impl Reached {
             }
             if let Some(solid) = solid_of(two, bounds, boxes) {
                 let rank = (gap(bounds, &solid.shape()), two.body.key, other.slot());
-                reached.add(Candidate { rank, solid, body: Some(other) });
+                reached.add(Reachable { rank, solid, body: Some(other) });
             }
         });
         reached
     }
 
-    fn add(&mut self, next: Candidate) {
+    fn add(&mut self, next: Reachable) {
         if self.nearest.push(next).is_err() {
             if let Some(last) = self.nearest.iter_mut().max_by_key(|one| one.rank).filter(|one| next.rank < one.rank) {
                 *last = next;
@@ -86,12 +86,12 @@ impl Reached {
 
     /// The solids. Their keys rank bodies as the keys of bodies do.
     pub(super) fn solids(&self) -> Vec<Solid, MOST> {
-        let by_key = |one: &Candidate| (one.rank.1, one.rank.2);
-        let key = |one: &Candidate| {
-            let before = |other: &&Candidate| other.body.is_some() && by_key(other) < by_key(one);
+        let by_key = |one: &Reachable| (one.rank.1, one.rank.2);
+        let key = |one: &Reachable| {
+            let before = |other: &&Reachable| other.body.is_some() && by_key(other) < by_key(one);
             KEYS + self.nearest.iter().filter(before).count() as u16
         };
-        let of = |one: &Candidate| match one.body {
+        let of = |one: &Reachable| match one.body {
             Some(_) => Solid::new(one.solid.shape(), key(one)).unwrap_or(one.solid),
             None => one.solid,
         };
