@@ -95,7 +95,12 @@ impl Reached {
             Some(_) => Solid::new(one.solid.shape(), key(one)).unwrap_or(one.solid),
             None => one.solid,
         };
-        self.nearest.iter().map(of).collect()
+        let mut solids = Vec::new();
+        for solid in self.nearest.iter().map(of) {
+            let pushed = solids.push(solid);
+            debug_assert!(pushed.is_ok(), "both lists have as many places");
+        }
+        solids
     }
 
     /// The body whose solid has a key.
