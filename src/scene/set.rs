@@ -91,18 +91,18 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 86 897 | 5 912 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 99 811 | 6 256 | 3 656 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 128 189 | 6 256 | 4 408 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 176 | 3 808 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 7 072 | 4 784 |
+/// | boxes and circles | 88 365 | 5 960 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 101 259 | 6 256 | 3 656 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 129 685 | 6 256 | 4 408 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 224 | 3 792 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 7 112 | 4 784 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 211 002 |
-/// | fly and land, at most | 390 132 |
-/// | lie in nooks of slopes, none may sleep | 838 757 |
-/// | the same, if the scene [remembers](Self::remembering) | 53 971 |
+/// | fly and land, mean | 211 766 |
+/// | fly and land, at most | 391 195 |
+/// | lie in nooks of slopes, none may sleep | 843 400 |
+/// | the same, if the scene [remembers](Self::remembering) | 55 879 |
 /// | sleep | 58 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
