@@ -28,18 +28,18 @@ pub(super) enum Boxes {
     AndBelow { larger_y: bool },
 }
 
-/// A solid, and how it ranks among the others.
+/// Where a solid comes from.
 #[derive(Clone, Copy)]
-struct Reachable {
+struct Origin {
     /// The gap to the character, then the key and the slot. No order of the broad phase counts.
     rank: (u32, u32, usize),
-    solid: Solid,
     body: Option<Handle>,
 }
 
 /// The nearest boxes of bodies and lifts, as solids.
 pub(super) struct Reached {
-    nearest: Vec<Reachable, MOST>,
+    solids: Vec<Solid, MOST>,
+    origins: Vec<Origin, MOST>,
 }
 
 impl Reached {
@@ -57,10 +57,10 @@ impl Reached {
     {
         let (own, bounds) = own;
         let region = around(bounds, far);
-        let mut reached = Self { nearest: Vec::new() };
+        let mut reached = Self { solids: Vec::new(), origins: Vec::new() };
         for (slot, lift) in lifts.iter().enumerate().filter(|(_, lift)| lift.shape().touches(&region)) {
             let rank = (gap(bounds, &lift.shape()), lift.key().into(), slot);
-            reached.add(Reachable { rank, solid: *lift, body: None });
+            reached.add(*lift, Origin { rank, body: None });
         }
         scene.near.in_region(&region, |other| {
             let slot = |at: Handle| scene.slots.get(at.slot());
@@ -70,43 +70,44 @@ impl Reached {
             }
             if let Some(solid) = solid_of(two, bounds, boxes) {
                 let rank = (gap(bounds, &solid.shape()), two.body.key, other.slot());
-                reached.add(Reachable { rank, solid, body: Some(other) });
+                reached.add(solid, Origin { rank, body: Some(other) });
             }
         });
+        reached.number();
         reached
     }
 
-    fn add(&mut self, next: Reachable) {
-        if self.nearest.push(next).is_err() {
-            if let Some(last) = self.nearest.iter_mut().max_by_key(|one| one.rank).filter(|one| next.rank < one.rank) {
-                *last = next;
-            }
+    fn add(&mut self, solid: Solid, origin: Origin) {
+        if self.solids.push(solid).is_ok() {
+            let pushed = self.origins.push(origin);
+            debug_assert!(pushed.is_ok(), "both lists have as many places");
+            return;
+        }
+        let all = self.origins.iter_mut().zip(&mut self.solids);
+        if let Some(last) = all.max_by_key(|(known, _)| known.rank).filter(|(known, _)| origin.rank < known.rank) {
+            (*last.0, *last.1) = (origin, solid);
         }
     }
 
-    /// The solids. Their keys rank bodies as the keys of bodies do.
-    pub(super) fn solids(&self) -> Vec<Solid, MOST> {
-        let by_key = |one: &Reachable| (one.rank.1, one.rank.2);
-        let key = |one: &Reachable| {
-            let before = |other: &&Reachable| other.body.is_some() && by_key(other) < by_key(one);
-            KEYS + self.nearest.iter().filter(before).count() as u16
-        };
-        let of = |one: &Reachable| match one.body {
-            Some(_) => Solid::new(one.solid.shape(), key(one)).unwrap_or(one.solid),
-            None => one.solid,
-        };
-        let mut solids = Vec::new();
-        for solid in self.nearest.iter().map(of) {
-            let pushed = solids.push(solid);
-            debug_assert!(pushed.is_ok(), "both lists have as many places");
+    /// Gives the boxes of bodies keys that rank as the keys of the bodies do.
+    fn number(&mut self) {
+        let by_key = |one: &Origin| (one.rank.1, one.rank.2);
+        for (one, solid) in self.origins.iter().zip(&mut self.solids).filter(|(one, _)| one.body.is_some()) {
+            let before = |other: &&Origin| other.body.is_some() && by_key(other) < by_key(one);
+            let key = KEYS + self.origins.iter().filter(before).count() as u16;
+            *solid = Solid::new(solid.shape(), key).unwrap_or(*solid);
         }
-        solids
+    }
+
+    /// The solids.
+    pub(super) fn solids(&self) -> &[Solid] {
+        &self.solids
     }
 
     /// The body whose solid has a key.
     pub(super) fn body(&self, key: u16) -> Option<Handle> {
-        let at = self.solids().iter().position(|solid| solid.key() == key)?;
-        self.nearest.get(at)?.body
+        let known = self.origins.iter().zip(&self.solids);
+        known.filter(|(_, solid)| solid.key() == key).find_map(|(one, _)| one.body)
     }
 }
 

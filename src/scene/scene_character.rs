@@ -161,8 +161,7 @@ impl<B: Body> SceneCharacter<B> {
         let far = next.character.reach(input, carry).map_err(|e| SceneError::of(self.body, e))?;
         let boxes = Boxes::AndBelow { larger_y: next.character.falls_to_larger_y() };
         let reached = Reached::of(scene, (self.body, &next.bounds()), lifts, far, boxes);
-        let solids = reached.solids();
-        let world = Solids::new(&solids);
+        let world = Solids::new(reached.solids());
         let step = next.character.step_carried(&Joined::new(level, &world), input, carry);
         let step = step.map_err(|e| SceneError::of(self.body, e))?;
         let on = next.character.ridden().and_then(|key| reached.body(key));
@@ -242,9 +241,9 @@ impl<B: Body> SceneCharacter<B> {
             // A box that rises pushes the body as well: the motions are not added.
             let both = Vec2::new(together(pushed.x, carried.x), together(pushed.y, carried.y));
             let far = both.x.unsigned_abs().max(both.y.unsigned_abs()).to_bits();
-            let solids = Reached::of(scene, (self.body, &self.bounds()), lifts, far, Boxes::Fixed).solids();
+            let reached = Reached::of(scene, (self.body, &self.bounds()), lifts, far, Boxes::Fixed);
             let (mover, body) = (sliding(Mover::new()), *self.character.body());
-            let world = Solids::new(&solids);
+            let world = Solids::new(reached.solids());
             if let Ok(moved) = mover.move_and_slide(&Joined::new(level, &world), &body, both) {
                 self.shift(moved.body.position() - body.position(), |_| true);
             }
