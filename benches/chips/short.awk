@@ -61,7 +61,7 @@ END {
     if (page == "scenes") {
         HERO = "game flash" SUBSEP "a scene of 30 balls and boxes with a hero, among blocks"
         printf "On a Cortex-M0, a program with a `Scene` takes %d KB of flash, where 1 KB is 1024 bytes.\n", flash(5) / 1024 + 0.5
-        printf "It does not fit a chip of 64 KB. With lifts it takes %d KB, and %d KB if the lifts have any\nconvex shape. With a hero among its boxes it takes %d KB.\n", flash(6) / 1024 + 0.5, flash(7) / 1024 + 0.5, at(HERO, "M0") / 1024 + 0.5
+        printf "It does not fit a chip of 64 KB. With lifts it takes %d KB, and %d KB if the lifts have any\nconvex shape. With a hero among its boxes it takes %d KB, and\nup to %s of stack.\n", flash(6) / 1024 + 0.5, flash(7) / 1024 + 0.5, at(HERO, "M0") / 1024 + 0.5, kilobytes(at("bound" SUBSEP "scenes: hero.lead(s, l, lifts, i)", "M0"))
         exit
     }
     print "| whole programs and calls | flash | mean instructions at \"s\" | mean at 3 | maximum at 3 | stack seen | stack, bound | static RAM |"

@@ -3,7 +3,7 @@
 use super::family::Run;
 #[cfg(not(target_os = "none"))]
 use super::games;
-use super::{bodies, convex, motion, ninja, numbers, pairs, responses, scenes, worlds};
+use super::{bodies, convex, motion, ninja, numbers, pairs, responses, scene_hero, scenes, worlds};
 
 /// Families of some kinds.
 pub type Part = fn(&mut Run<'_>);
@@ -12,6 +12,8 @@ pub type Part = fn(&mut Run<'_>);
 pub const SHAPES: &[Part] = &[numbers::run, pairs::run, responses::run];
 pub const BODIES: &[Part] = &[bodies::run];
 pub const SCENES: &[Part] = &[scenes::run];
+pub const PILLS: &[Part] = &[scenes::run_capsules];
+pub const SCENE_HERO: &[Part] = &[scene_hero::run];
 pub const LEVELS: &[Part] = &[worlds::run_tiles, worlds::run_blocks, worlds::run_slopes, worlds::run_shapes];
 pub const SEGMENTS: &[Part] = &[worlds::run_segments, motion::run_segments];
 pub const JOINED: &[Part] = &[worlds::run_joined];
@@ -22,8 +24,10 @@ pub const CAPSULES: &[Part] = &[motion::run_capsules];
 pub const TURNED: &[Part] = &[motion::run_turned];
 pub const CONVEX: &[Part] = &[convex::run];
 pub const NINJA: &[Part] = &[ninja::run];
-pub const GROUPS: [&[Part]; 13] =
-    [SHAPES, BODIES, SCENES, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, TURNED, CONVEX, NINJA];
+pub const GROUPS: [&[Part]; 15] = [
+    SHAPES, BODIES, SCENES, PILLS, SCENE_HERO, LEVELS, SEGMENTS, JOINED, MOVING, BLOCKS, MOTION, CAPSULES, TURNED,
+    CONVEX, NINJA,
+];
 
 /// Separate firmwares on chips.
 #[cfg(not(target_os = "none"))]

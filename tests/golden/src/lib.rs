@@ -26,6 +26,7 @@ mod numbers;
 mod pairs;
 mod random;
 mod responses;
+mod scene_hero;
 mod scenes;
 #[cfg(not(target_os = "none"))]
 pub mod table;
@@ -38,7 +39,7 @@ pub use family::{LEAST, Line, Run, VECTORS};
 #[cfg(not(target_os = "none"))]
 pub use groups::GAMES;
 pub use groups::{
-    BLOCKS, BODIES, CAPSULES, CONVEX, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, Part, SCENES, SEGMENTS, SHAPES,
-    TURNED,
+    BLOCKS, BODIES, CAPSULES, CONVEX, GROUPS, JOINED, LEVELS, MOTION, MOVING, NINJA, PILLS, Part, SCENE_HERO, SCENES,
+    SEGMENTS, SHAPES, TURNED,
 };
 pub use hash::Hash;

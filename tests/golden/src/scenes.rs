@@ -12,7 +12,7 @@ use super::random::{Random, UNIT};
 
 const BODIES: usize = 12;
 /// A pit with two ledges.
-const ROWS: &str = "\
+pub(crate) const ROWS: &str = "\
 ##########
 #........#
 #........#
@@ -21,8 +21,8 @@ const ROWS: &str = "\
 #........#
 ##########
 ";
-static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
-const GRAVITY: Vec2 = Vec2::from_raw(0, UNIT / 10);
+pub(crate) static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+pub(crate) const GRAVITY: Vec2 = Vec2::from_raw(0, UNIT / 10);
 
 /// A corner at the top of the pit, and two even sides.
 fn extent(r: &mut Random) -> (i32, i32, i32, i32) {
@@ -31,7 +31,7 @@ fn extent(r: &mut Random) -> (i32, i32, i32, i32) {
     (within(17, 112), within(17, 18), w, h)
 }
 
-fn plain(r: &mut Random) -> Option<Shape> {
+pub(crate) fn plain(r: &mut Random) -> Option<Shape> {
     let (x, y, w, h) = extent(r);
     if r.once_in(2) {
         let at = Vec2::from_raw(x + w / 2, y + w / 2);
@@ -106,5 +106,8 @@ fn scene<S: BodyShape>(run: &mut Run<'_>, of: &'static str, draw: fn(&mut Random
 
 pub(crate) fn run(run: &mut Run<'_>) {
     scene(run, "boxes_and_circles", plain);
+}
+
+pub(crate) fn run_capsules(run: &mut Run<'_>) {
     scene(run, "scene_of_capsules", capsules);
 }
