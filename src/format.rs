@@ -9,7 +9,7 @@ use crate::motion::response::{Particle, Split, Stick, Surface};
 use crate::motion::{Body, BodyHit, Character, Feel, Hit, Hits, Input, Moved, Step, Walked, Walker};
 use crate::num::{Fx, Ratio, Toi, UnitVec2, Vec2};
 use crate::query::{CastHit, Contact, MovingHit};
-use crate::scene::{Scene, SceneEvent, Sleep, Snapshot};
+use crate::scene::{Scene, SceneCharacter, SceneEvent, Sleep, Snapshot};
 use crate::shape::{Aabb, Capsule, Circle, ConvexPolygon, OrientedBox, Segment};
 use crate::world::{
     ConvexFeatures, ConvexSolids, Features, Grid, Joined, JoinedFeatures, JoinedRayHits, Near, Placed, PlacedFeatures,
@@ -203,6 +203,12 @@ impl Format for Step {
     fn format(&self, f: Formatter<'_>) {
         let (jumped, landed, wall, ceiling) = (self.jumped, self.landed, self.wall, self.ceiling);
         write!(f, "{} jumped {} landed {} wall {} ceiling {}", self.outcome, jumped, landed, wall, ceiling);
+    }
+}
+
+impl<B: Format + Body> Format for SceneCharacter<B> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "SceneCharacter {} as {} on {}", self.character, self.handle(), self.stands_on());
     }
 }
 

@@ -29,25 +29,25 @@ pub(crate) fn run(run: &mut Run<'_>) {
     let Ok(at) = scene.insert(&SceneBody::led(body, HERO)) else { return };
     let mut hero = SceneCharacter::new(Character::new(body, level.bounds(), Feel::DEFAULT), at);
     let (mut lifts, mut input) = ([lift], Input::default());
-    run.family("scene_with_a_hero", VECTORS / 8, ["lead", "follow"], |number, r, [lead, follow]| {
+    run.family("scene_with_a_hero", VECTORS / 8, ["step"], |number, r, [step]| {
         input = wild(r, input);
         if number % 64 == 0 && number < 64 * (BODIES as u32 - 1) {
             let Some(shape) = plain(r) else { return };
-            lead.add(scene.insert(&SceneBody { fast: r.once_in(2), ..SceneBody::new(shape, number) }).is_ok());
+            step.add(scene.insert(&SceneBody { fast: r.once_in(2), ..SceneBody::new(shape, number) }).is_ok());
         }
         let up = if number % 80 < 40 { -1 } else { 1 };
-        lead.add(lifts[0].set_motion(Vec2::from_ints(0, up)).is_ok());
-        lead.add(scene.ride(&level, &mut lifts, GRAVITY, Fx::from_bits(5 * UNIT), |_, _| ()).is_ok());
-        let step = hero.lead(&mut scene, &level, &lifts, input);
-        lead.add(step.map(|step| [u32::from(step.outcome == Outcome::Moved), u32::from(step.landed)]).ok());
-        lead.add(hero.character.body().min());
-        lead.add(scene.step(&Joined::new(&level, &Solids::new(&lifts)), GRAVITY, |_| {}).is_ok());
-        follow.add(hero.follow(&scene, &level, &lifts).ok());
-        follow.add(hero.character.body().min());
-        follow.add(hero.character.velocity);
-        follow.add(hero.stands_on());
+        step.add(lifts[0].set_motion(Vec2::from_ints(0, up)).is_ok());
+        step.add(scene.ride(&level, &mut lifts, GRAVITY, Fx::from_bits(5 * UNIT), |_, _| ()).is_ok());
+        let led = hero.lead(&mut scene, &level, &lifts, input);
+        step.add(led.map(|step| [u32::from(step.outcome == Outcome::Moved), u32::from(step.landed)]).ok());
+        step.add(hero.character.body().min());
+        step.add(scene.step(&Joined::new(&level, &Solids::new(&lifts)), GRAVITY, |_| {}).is_ok());
+        step.add(hero.follow(&scene, &level, &lifts).ok());
+        step.add(hero.character.body().min());
+        step.add(hero.character.velocity);
+        step.add(hero.stands_on());
         for (handle, _) in scene.bodies() {
-            follow.add(scene.near().bounds(handle).ok());
+            step.add(scene.near().bounds(handle).ok());
         }
     });
 }

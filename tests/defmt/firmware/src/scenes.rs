@@ -3,9 +3,9 @@
 use crate::tell;
 use tilesat::broad::BruteForce;
 use tilesat::scene::{
-    FirstHit, Reply, SceneBody, SceneCast, SceneEvent, SceneFault, SceneTag, Shape, Sleep, WithCapsules,
+    FirstHit, Reply, SceneBody, SceneCast, SceneCharacter, SceneEvent, SceneFault, SceneTag, Shape, Sleep, WithCapsules,
 };
-use tilesat::{Aabb, Capsule, Circle, Fx, Inside, Scene, TileKind, TileKinds, TileMap, Vec2};
+use tilesat::{Aabb, Capsule, Character, Circle, Feel, Fx, Inside, Scene, TileKind, TileKinds, TileMap, Vec2};
 
 static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL.with_flags(8));
 
@@ -19,6 +19,8 @@ pub(crate) fn tell_all() {
     tell(&WithCapsules::Capsule(pill));
     let handle = scene.insert(&chest).unwrap();
     tell(&Sleep::default());
+    let hero = Aabb::new(Vec2::from_ints(20, 6), Vec2::from_ints(30, 20)).unwrap();
+    tell(&SceneCharacter::new(Character::new(hero, level.bounds(), Feel::DEFAULT), handle));
     let (from, by) = (Vec2::from_ints(0, 25), Vec2::from_ints(40, 0));
     let hit = scene.cast_ray(from, by, Inside::Hit, |_, _| true).unwrap().unwrap();
     tell(&hit);
