@@ -4,6 +4,7 @@ use super::Shape;
 use super::at_boxes::AtBoxes;
 use super::blocked_sides::{blocked_sides, still_blocked};
 use super::body_path::{BodyPath, Drift};
+use super::farthest_pushes::FarthestPushes;
 use super::kernel::BodyShape;
 use crate::broad::{Handle, Keyed};
 use crate::filter::{Filter, LayerMask};
@@ -185,9 +186,7 @@ pub(super) struct Slot<S> {
 /// The values that a step collects for a body before anything moves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tally {
-    /// The farthest push to each side.
-    pub(super) low: Vec2,
-    pub(super) high: Vec2,
+    pub(super) pushes: FarthestPushes,
     /// The sum of the changes of its velocity.
     pub(super) kick: Vec2,
     /// How many bodies run into it. After all have moved, the fewest quiet steps of the bodies that
@@ -256,7 +255,7 @@ impl<S: BodyShape> Slot<S> {
     /// Updates the blocked sides in a step that moved it by `made`: the level stopped it, or others
     /// pushed back.
     pub(super) fn block(&mut self, by_level: u8, made: Vec2) {
-        let Tally { low, high, .. } = self.tally;
+        let FarthestPushes { low, high } = self.tally.pushes;
         let (pushed, one_sided) = (low + high, low == Vec2::ZERO || high == Vec2::ZERO);
         let by_others = if one_sided { 0 } else { blocked_sides(low, pushed) | blocked_sides(high, pushed) };
         self.blocked = still_blocked(still_blocked(self.blocked, low, made), high, made) | by_level | by_others;
@@ -270,7 +269,7 @@ impl<S: BodyShape> Slot<S> {
     /// Whether a test of its start is not enough.
     pub(super) fn is_fast(&self) -> bool {
         // Each is a motion: no sum wraps.
-        let Tally { low, high, kick, .. } = self.tally;
+        let Tally { pushes: FarthestPushes { low, high }, kick, .. } = self.tally;
         self.makes_fast(Raw::of(self.body.velocity).add(Raw::of(kick)).add(Raw::of(low)).add(Raw::of(high)))
     }
 
@@ -289,11 +288,9 @@ impl<S: BodyShape> Slot<S> {
 
 impl Tally {
     pub(super) const fn of(slot: u16) -> Self {
-        let none = Vec2::ZERO;
         Self {
-            low: none,
-            high: none,
-            kick: none,
+            pushes: FarthestPushes::NONE,
+            kick: Vec2::ZERO,
             hits: 0,
             straight: (0, 0),
             link: slot,
@@ -322,10 +319,6 @@ impl Tally {
 
     /// The sum of all pushes on it.
     pub(super) fn push(&self) -> Vec2 {
-        self.low + self.high
-    }
-
-    pub(super) fn pushed(&mut self, by: Vec2) {
-        (self.low, self.high) = (self.low.min(by), self.high.max(by));
+        self.pushes.sum()
     }
 }

@@ -7,28 +7,15 @@
 
 use super::at_boxes::AtBoxes;
 use super::body::Slot;
+use super::farthest_pushes::FarthestPushes;
 use super::kernel::BodyShape;
 use crate::num::{Axis, Vec2};
 
-/// The longest pushes straight out of boxes.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct WayOut {
-    pub(super) low: Vec2,
-    pub(super) high: Vec2,
-}
-
-impl WayOut {
-    pub(super) const NONE: Self = Self { low: Vec2::ZERO, high: Vec2::ZERO };
-
-    pub(super) fn add(&mut self, push: Vec2) {
-        (self.low, self.high) = (self.low.min(push), self.high.max(push));
-    }
-
-    /// Whether it leads a round shape out of a box. Exact: flush boxes need no tolerance.
-    pub(super) fn clears<S: BodyShape>(&self, round: &S, other: &S) -> bool {
-        let by = self.low + self.high;
-        by != Vec2::ZERO && round.translated(by).is_ok_and(|moved| moved.contact(other).is_none())
-    }
+/// Whether the pushes straight out of boxes lead a round shape out of another box. Exact: flush
+/// boxes need no tolerance.
+pub(super) fn clears<S: BodyShape>(out: FarthestPushes, round: &S, other: &S) -> bool {
+    let by = out.sum();
+    by != Vec2::ZERO && round.translated(by).is_ok_and(|moved| moved.contact(other).is_none())
 }
 
 /// Whether one body rolls, and the other is a box.

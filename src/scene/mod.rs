@@ -374,6 +374,7 @@ mod body_path;
 mod change;
 mod error;
 mod event;
+mod farthest_pushes;
 mod fast_bodies;
 mod flush_boxes;
 mod idle;

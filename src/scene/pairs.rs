@@ -68,7 +68,7 @@ pub(super) fn collect_effects<S: BodyShape>(
     for (at, by, moves) in [(pair.a, by_a, meeting.moves_a), (pair.b, by_b, meeting.moves_b)] {
         let Some(slot) = slots.get_mut(at.slot()) else { continue };
         if !carried {
-            slot.tally.pushed(by);
+            slot.tally.pushes.add(by);
         }
         if is_hit && moves {
             slot.tally.hit(meeting.is_straight());

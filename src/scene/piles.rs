@@ -6,7 +6,8 @@
 
 use super::body::{ALOFT, Mode, Slot, UNSETTLED};
 use super::body_path::{Drift, Pace, size};
-use super::flush_boxes::{WayOut, is_corner, rolls_on};
+use super::farthest_pushes::FarthestPushes;
+use super::flush_boxes::{clears, is_corner, rolls_on};
 use super::kept_out::Before;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
@@ -92,7 +93,7 @@ struct MetCarriers {
     last: Option<(Handle, Meeting)>,
     /// Whether it meets a corner, and the way out of the sides that it meets.
     corner: bool,
-    out: WayOut,
+    out: FarthestPushes,
 }
 
 struct Pile<'a, B, V, S, const M: usize> {
@@ -139,7 +140,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
     ) -> bool {
         let Some(slot) = self.slots.get(handle.slot()) else { return false };
         let mut slot = *slot;
-        (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
+        slot.tally.pushes = FarthestPushes::NONE;
         if let Err(fault) = self.leave_carriers(handle, &mut slot, before, replies) {
             slot.body.shape = known;
             keep(self.memory, handle.slot(), None);
@@ -180,9 +181,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
     ) -> Result<(), SceneFault> {
         let gravity = self.trip.gravity;
         let it = *slot;
-        let mut met = self.meet_carriers((handle, &it), slot, (WayOut::NONE, 0), replies);
-        if met.corner && met.out != WayOut::NONE {
-            (slot.tally.low, slot.tally.high) = (Vec2::ZERO, Vec2::ZERO);
+        let mut met = self.meet_carriers((handle, &it), slot, (FarthestPushes::NONE, 0), replies);
+        if met.corner && met.out != FarthestPushes::NONE {
+            slot.tally.pushes = FarthestPushes::NONE;
             met = self.meet_carriers((handle, &it), slot, (met.out, 0), replies);
         }
         let MetCarriers { hits, last, out, .. } = met;
@@ -222,18 +223,18 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
     }
 
     /// Pushes a body out of its carriers, and finds those that it runs into. Once their number is
-    /// known, it changes the velocity instead. Corners that `out` [leads out of](WayOut::clears) do
+    /// known, it changes the velocity instead. Corners that `out` [leads out of](clears) do
     /// not count.
     #[inline(never)]
     fn meet_carriers(
         &self,
         (handle, it): (Handle, &Slot<S>),
         slot: &mut Slot<S>,
-        (out, known_hits): (WayOut, u16),
+        (out, known_hits): (FarthestPushes, u16),
         replies: &mut impl Replies,
     ) -> MetCarriers {
         let gravity = self.trip.gravity;
-        let mut met = MetCarriers { hits: 0, last: None, corner: false, out: WayOut::NONE };
+        let mut met = MetCarriers { hits: 0, last: None, corner: false, out: FarthestPushes::NONE };
         self.below((handle, it), out, replies, |other, lower, (contact, reply)| {
             if known_hits > 0 {
                 let meeting = Meeting::onto(self.slots, lower, it, (contact.axis(), reply), gravity);
@@ -250,7 +251,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
                     met.out.add(by);
                 }
             }
-            slot.tally.pushed(still_touching(by, contact.axis()));
+            slot.tally.pushes.add(still_touching(by, contact.axis()));
             slot.lie_on(self.slots, lower, other);
             if let Some(meeting) = Meeting::of_pile(self.slots, lower, it, (contact.axis(), reply), gravity) {
                 if meeting.is_hit() {
@@ -266,7 +267,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
     fn below(
         &self,
         upper: (Handle, &Slot<S>),
-        out: WayOut,
+        out: FarthestPushes,
         replies: &mut impl Replies,
         mut each: impl FnMut(Handle, &Slot<S>, (&Contact, Reply)),
     ) {
@@ -279,7 +280,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             }
             let shape = lower.comes_to(gravity);
             let Some(contact) = shape.contact(&slot.body.shape) else { return };
-            if rolls_on(slot, lower) && is_corner(contact.axis()) && out.clears(&slot.body.shape, &shape) {
+            if rolls_on(slot, lower) && is_corner(contact.axis()) && clears(out, &slot.body.shape, &shape) {
                 return;
             }
             if Top::of(contact.axis(), toward(gravity)) == Top::B {

@@ -10,6 +10,7 @@
 //! lost velocity, nothing could push a heap aside.
 
 use super::body::{ALOFT, NOBODY, Slot};
+use super::farthest_pushes::FarthestPushes;
 use crate::num::{Raw, Vec2};
 
 /// The pushes on a body, and what holds it.
@@ -29,7 +30,8 @@ pub(super) struct Pressed {
 impl Pressed {
     pub(super) fn of<S>(slot: &Slot<S>, ground: Vec2) -> Self {
         let stands = slot.support == 0 || (slot.support == 1 && slot.ground != NOBODY);
-        Self { low: slot.tally.low, high: slot.tally.high, lies: slot.support != ALOFT, stands, ground }
+        let FarthestPushes { low, high } = slot.tally.pushes;
+        Self { low, high, lies: slot.support != ALOFT, stands, ground }
     }
 
     pub(super) fn push(&self) -> Vec2 {

@@ -162,7 +162,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             }
             acts |= does != STAYS;
             carries |= does == CARRIED;
-            (slot.tally.hits, slot.tally.kick, slot.tally.low) = (does, carry, push);
+            (slot.tally.hits, slot.tally.kick, slot.tally.pushes.low) = (does, carry, push);
         }
         if acts {
             // Otherwise a body on one that was awake before would stay asleep in the air.
@@ -241,7 +241,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         for &handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
             let does = take(&mut slot.tally.hits);
-            let (carry, push) = (take(&mut slot.tally.kick), take(&mut slot.tally.low));
+            let (carry, push) = (take(&mut slot.tally.kick), take(&mut slot.tally.pushes.low));
             if (carry, push) == (Vec2::ZERO, Vec2::ZERO) {
                 continue;
             }

@@ -1,5 +1,6 @@
 //! A character among the bodies of a scene: it stands on boxes, and pushes them.
 
+use super::farthest_pushes::FarthestPushes;
 use super::kernel::BodyShape;
 use super::level_of_body::sliding;
 use super::reached::{Boxes, Reached};
@@ -89,14 +90,25 @@ pub(super) struct Under {
 }
 
 impl Under {
-    /// The position of the box. `None` if it was removed.
-    fn now<P, S, const N: usize, const M: usize>(self, scene: &Scene<P, N, M, S>) -> Option<Self>
+    /// `None` if the box was removed.
+    fn of<P, S, const N: usize, const M: usize>(body: Handle, scene: &Scene<P, N, M, S>) -> Option<Self>
     where
         P: BroadPhase<Tag = Keyed<Filter>>,
         S: BodyShape,
     {
-        let at = scene.body(self.body).ok()?.shape.position();
-        Some(Self { at, ..self })
+        Some(Self { body, at: scene.body(body).ok()?.shape.position() })
+    }
+
+    /// How far the box has moved since it was last seen. Zero if it was removed.
+    fn update<P, S, const N: usize, const M: usize>(under: &mut Option<Self>, scene: &Scene<P, N, M, S>) -> Vec2
+    where
+        P: BroadPhase<Tag = Keyed<Filter>>,
+        S: BodyShape,
+    {
+        let now = under.and_then(|was| Self::of(was.body, scene));
+        let moved = under.zip(now).map_or(Vec2::ZERO, |(was, is)| is.at - was.at);
+        *under = now;
+        moved
     }
 }
 
@@ -165,7 +177,7 @@ impl<B: Body> SceneCharacter<B> {
         let step = next.character.step_carried(&Joined::new(level, &world), input, carry);
         let step = step.map_err(|e| SceneError::of(self.body, e))?;
         let on = next.character.ridden().and_then(|key| reached.body(key));
-        next.on = on.and_then(|body| Under { body, at: Vec2::ZERO }.now(scene));
+        next.on = on.and_then(|body| Under::of(body, scene));
         next.put(scene)?;
         *self = next;
         Ok(step)
@@ -196,9 +208,8 @@ impl<B: Body> SceneCharacter<B> {
         S: BodyShape,
     {
         let Caught { pushed, .. } = self.catch_up(scene, level, lifts)?;
-        let now = self.on.and_then(|on| on.now(scene));
-        self.carry = self.on.zip(now).map_or(Vec2::ZERO, |(was, is)| is.at - was.at);
-        (self.on, self.rides) = (now, now);
+        self.carry = Under::update(&mut self.on, scene);
+        self.rides = self.on;
         let fall = &mut self.character.velocity.y;
         if fall.signum() == -pushed.y.signum() {
             *fall = if pushed.y.unsigned_abs() < fall.unsigned_abs() { *fall + pushed.y } else { Fx::ZERO };
@@ -228,10 +239,8 @@ impl<B: Body> SceneCharacter<B> {
             self.seen = self.character.position();
             return Ok(Caught { made: Vec2::ZERO, pushed: Vec2::ZERO });
         }
-        let now = self.rides.and_then(|on| on.now(scene));
-        let carried = self.rides.zip(now).map_or(Vec2::ZERO, |(was, is)| is.at - was.at);
+        let carried = Under::update(&mut self.rides, scene);
         let carried = if self.goes_along(carried) { carried } else { Vec2::ZERO };
-        self.rides = now;
         if carried == Vec2::ZERO {
             // The scene has moved its body exactly.
             if pushed != Vec2::ZERO {
@@ -239,7 +248,10 @@ impl<B: Body> SceneCharacter<B> {
             }
         } else {
             // A box that rises pushes the body as well: the motions are not added.
-            let both = Vec2::new(together(pushed.x, carried.x), together(pushed.y, carried.y));
+            let mut motions = FarthestPushes::NONE;
+            motions.add(pushed);
+            motions.add(carried);
+            let both = motions.sum();
             let far = both.x.unsigned_abs().max(both.y.unsigned_abs()).to_bits();
             let reached = Reached::of(scene, (self.body, &self.bounds()), lifts, far, Boxes::Fixed);
             let (mover, body) = (sliding(Mover::new()), *self.character.body());
@@ -298,11 +310,6 @@ struct Caught {
     made: Vec2,
     /// By the bodies that pushed it.
     pushed: Vec2,
-}
-
-/// Two motions of one body along one axis. Of two to the same side, the farther one counts.
-fn together(a: Fx, b: Fx) -> Fx {
-    if a.signum() == b.signum() { if a.unsigned_abs() < b.unsigned_abs() { b } else { a } } else { a + b }
 }
 
 impl<S: BodyShape> SceneBody<S> {

@@ -4,7 +4,8 @@
 
 use super::at_boxes::AtBoxes;
 use super::body::Slot;
-use super::flush_boxes::{WayOut, is_corner};
+use super::farthest_pushes::FarthestPushes;
+use super::flush_boxes::{clears, is_corner};
 use super::idle::is_idle;
 use super::kernel::BodyShape;
 use super::meeting_time::senses;
@@ -52,7 +53,7 @@ pub(super) fn clear_before<S>(
     }
     for handle in awake() {
         let Some(Slot { tally, .. }) = slots.get_mut(handle.slot()) else { continue };
-        (tally.low, tally.high, tally.hits, tally.straight) = (Vec2::ZERO, Vec2::ZERO, 0, (0, 0));
+        (tally.pushes, tally.hits, tally.straight) = (FarthestPushes::NONE, 0, (0, 0));
         if look == SeamLook::Sides {
             tally.at_boxes = if tally.at_boxes == both { AtBoxes(AtBoxes::FLUSH) } else { AtBoxes::NONE };
         }
@@ -91,14 +92,13 @@ pub(super) fn look_again<S: BodyShape>(
     let Some(at) = round.filter(|_| corner == (look == SeamLook::Corners)) else { return };
     let is_a = at == pair.a;
     let (round, other) = if is_a { (a, b) } else { (b, a) };
-    let out = WayOut { low: round.tally.low, high: round.tally.high };
-    let sticks_out = corner && !out.clears(&round.body.shape, &other.body.shape);
+    let sticks_out = corner && !clears(round.tally.pushes, &round.body.shape, &other.body.shape);
     // The other one gets none of the push.
     let (by_a, by_b) = separate(&contact, if is_a { Masses::B_FIXED } else { Masses::A_FIXED }.share_of_a());
     let Some(Slot { tally, .. }) = slots.get_mut(at.slot()) else { return };
     if sticks_out {
         tally.at_boxes = AtBoxes::NONE;
     } else if !corner {
-        tally.pushed(by_a + by_b);
+        tally.pushes.add(by_a + by_b);
     }
 }

@@ -282,7 +282,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let mut again = stepped.overlapping > 0;
         for look in SeamLook::ALL {
             again = again && clear_before(look, slots, memory, awake);
-            if !(if look == SeamLook::Kicks { hits } else { again }) {
+            let wanted = if look == SeamLook::Kicks { hits } else { again };
+            if !wanted {
                 continue;
             }
             each_pair(&mut self.near, movers, |pair| {

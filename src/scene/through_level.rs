@@ -3,6 +3,7 @@
 use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, Mode, NOBODY, Slot, Tally, UNSETTLED};
 use super::body_path::{BodyPath, Drift, Pace, size};
+use super::farthest_pushes::FarthestPushes;
 use super::kernel::{BodyShape, Visit};
 use super::level_of_body::{Sliding, View, sliding};
 use super::meeting_time::{may_meet, senses};
@@ -320,11 +321,11 @@ impl<V> Trip<'_, V> {
         // A slow body that nothing holds is at the start or the top of a flight. If it fell asleep
         // there, it would stay in the air, where nothing wakes it. In a heap it also hops now and
         // then for a step. Such a step is not one of rest, but does not end a rest. A bounce does.
-        let Tally { low, high, under, .. } = slot.tally;
+        let Tally { pushes, under, .. } = slot.tally;
         // Gravity comes before a body wakes, so one that has not moved since runs into nothing.
         let lies_on = slot.mode == Mode::Woken && by == Vec2::ZERO && slot.support != ALOFT;
         let support = if lies_on { slot.support } else { support };
-        let held = !free || lies_on || (low, high) != (Vec2::ZERO, Vec2::ZERO) || !matches!(under, NOBODY | UNSETTLED);
+        let held = !free || lies_on || pushes != FarthestPushes::NONE || !matches!(under, NOBODY | UNSETTLED);
         let flies = weight != Vec2::ZERO && !held;
         if matches!(under, NOBODY | UNSETTLED) {
             slot.tally.under = if flies { UNSETTLED } else { NOBODY };

@@ -14,6 +14,11 @@ impl Fail {
     pub fn new(message: impl Into<String>) -> Self {
         Self(message.into())
     }
+
+    /// Names the level, if there are several.
+    pub(crate) fn of_level(self, name: &str, several: bool) -> Self {
+        if several { Self(format!("level '{name}': {self}")) } else { self }
+    }
 }
 
 impl fmt::Display for Fail {

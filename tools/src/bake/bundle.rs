@@ -60,9 +60,7 @@ fn all(maps: &[Map], options: &Options, cell: Option<Fx>) -> Result<Bundle> {
     let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
     let mut ids = Ids::default();
     let mut levels = Vec::new();
-    let of_level = |map: &Map, fail: Fail| {
-        if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail }
-    };
+    let of_level = |map: &Map, fail: Fail| fail.of_level(&map.name, maps.len() > 1);
     let baked: Vec<&Map> = maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)).collect();
     for (map, drawn) in baked.iter().zip(Drawn::all(&baked, options, of_level)?) {
         let ground = drawn.ground(&mut flags).map_err(|fail| of_level(map, fail))?;

@@ -24,13 +24,17 @@ pub(crate) fn unknown(arg: &Arg<'_>) -> Fail {
 
 /// The value after an option. Text that looks like an option is not a value: the user forgot it.
 pub(crate) fn value(parser: &mut Parser, name: &str) -> Result<OsString> {
-    let given = any_value(parser).filter(|v| !v.is_empty());
+    any_value(parser, name, |v| !v.is_empty())
+}
+
+fn any_value(parser: &mut Parser, name: &str, fits: impl Fn(&OsString) -> bool) -> Result<OsString> {
+    let is_option = |v: &OsString| matches!(v.as_encoded_bytes(), [b'-', next, ..] if !next.is_ascii_digit());
+    let given = parser.value().ok().filter(|v| !is_option(v) && fits(v));
     given.ok_or_else(|| Fail::new(format!("{name} needs a value")))
 }
 
-fn any_value(parser: &mut Parser) -> Option<OsString> {
-    let is_option = |v: &OsString| matches!(v.as_encoded_bytes(), [b'-', next, ..] if !next.is_ascii_digit());
-    parser.value().ok().filter(|v| !is_option(v))
+fn utf8(value: OsString, name: &str) -> Result<String> {
+    value.into_string().map_err(|_| Fail::new(format!("{name} needs UTF-8 text")))
 }
 
 /// Fills an empty slot.
@@ -43,13 +47,12 @@ pub(crate) fn once<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<()> 
 
 /// A text value.
 pub(crate) fn text(parser: &mut Parser, name: &str) -> Result<String> {
-    value(parser, name)?.into_string().map_err(|_| Fail::new(format!("{name} needs UTF-8 text")))
+    utf8(value(parser, name)?, name)
 }
 
 /// The name of a layer, which may be empty.
 pub(crate) fn layer(parser: &mut Parser, name: &str) -> Result<String> {
-    let given = any_value(parser).ok_or_else(|| Fail::new(format!("{name} needs a value")))?;
-    given.into_string().map_err(|_| Fail::new(format!("{name} needs UTF-8 text")))
+    utf8(any_value(parser, name, |_| true)?, name)
 }
 
 /// A path that is not an option's value.

@@ -94,9 +94,7 @@ fn job(job: Options, out: &mut dyn Write) -> Result<u8> {
     let maps: Vec<&Map> = levels.maps.iter().filter(|map| !listed(&options.ignored_levels, &map.name)).collect();
     let made = |options: &Solid| {
         let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
-        let of_level = |map: &Map, fail: Fail| {
-            if maps.len() > 1 { Fail::new(format!("level '{}': {fail}", map.name)) } else { fail }
-        };
+        let of_level = |map: &Map, fail: Fail| fail.of_level(&map.name, maps.len() > 1);
         let drawn = maps.iter().zip(Drawn::all(&maps, options, of_level)?);
         let ground = |(map, drawn): (&&Map, Drawn<'_>)| drawn.ground(&mut flags).map_err(|fail| of_level(map, fail));
         let grounds = drawn.map(ground).collect::<Result<Vec<_>>>()?;

@@ -92,7 +92,7 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
     let made = |options: &Options| {
         let mut flags = Flags::new(&options.flags).map_err(Fail::new)?;
         let mut ids = Ids::default();
-        let of_level = |map: &Map, fail: Fail| Fail::new(format!("level '{}': {fail}", map.name));
+        let of_level = |map: &Map, fail: Fail| fail.of_level(&map.name, true);
         let drawn = Drawn::all(&all, options, of_level)?;
         let part = |(map, drawn): (&&Map, Drawn<'_>)| {
             Part::of(map, drawn, options, (&mut flags, &mut ids)).map_err(|fail| of_level(map, fail))

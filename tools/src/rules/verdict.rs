@@ -91,20 +91,15 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
         None
     } else if let Some((name, shape)) = by_name {
         let kind = if class == Some(name) { "class" } else { "property" };
-        let what = format!("{kind} {name} is {}", names::name(shape));
-        // The mark says that it is solid, and its shapes say where.
-        match flip.of(shape) {
-            TileShape::Full if has_shapes => Some(Verdict {
-                rule: Rule::A,
-                what: format!("{kind} {name}, whose collision shapes"),
-                solid: Solid::Drawn,
-            }),
-            side if has_shapes => Some(Verdict {
-                rule: Rule::A,
-                what: format!("{kind} {name}, whose collision shapes"),
-                solid: Solid::Edges(side),
-            }),
-            _ => shaped(Rule::A, what, shape),
+        if has_shapes {
+            // The mark says that it is solid, and its shapes say where.
+            let solid = match flip.of(shape) {
+                TileShape::Full => Solid::Drawn,
+                side => Solid::Edges(side),
+            };
+            Some(Verdict { rule: Rule::A, what: format!("{kind} {name}, whose collision shapes"), solid })
+        } else {
+            shaped(Rule::A, format!("{kind} {name} is {}", names::name(shape)), shape)
         }
     } else if senses("", &set.properties) || !has_shapes || denied(properties).is_some() {
         None

@@ -1,19 +1,7 @@
 //! Guesses about levels in which no rule marks what is solid: tiles whose own names or properties
 //! say it in other words, and ground that walls stand on.
 
-use crate::support::{Ran, map, scratch, tilesat};
-
-/// A map of 4x3 cells with these layers, tiles and objects.
-fn level(layers: &[(&str, &str)], tiles: &str, objects: &str) -> String {
-    let text = map(4, 3, "", "");
-    let old = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
-    let from = text.find("<layer").unwrap();
-    let layer = |(name, cells): &(&str, &str)| {
-        format!(r#"<layer name="{name}" width="4" height="3"><data encoding="csv">{cells}</data></layer>"#)
-    };
-    let all: String = layers.iter().map(layer).collect();
-    format!("{}{all}{objects}</map>", text[..from].replace(old, tiles))
-}
+use crate::support::{Ran, layered, scratch, tilesat};
 
 /// The number of solid cells and segments, the flags and the messages. Or the reason of a refusal.
 fn baked(text: &str, options: &[&str]) -> (String, String) {
@@ -42,7 +30,7 @@ const AROUND: &str = "4,4,4,4,4,0,0,4,4,4,4,4";
 fn tiles_that_say_it_in_other_words() {
     for name in ["isSolid", "is_solid", "hasCollision", "ge_collide", "impassable", "not_walkable", "isBlocked"] {
         for layer in ["Map", "Ground"] {
-            let text = level(&[(layer, MIXED)], &property(0, name, r#"type="bool" value="true""#), "");
+            let text = layered(&[(layer, MIXED)], &property(0, name, r#"type="bool" value="true""#), "");
             let (found, said) = baked(&text, &[]);
             assert_eq!(found, "5 0 {}", "{name} {layer}");
             assert!(
@@ -54,16 +42,16 @@ fn tiles_that_say_it_in_other_words() {
             assert!(found.starts_with('6') || layer == "Map" && said.contains("nothing is solid"), "{found} {said}");
         }
     }
-    let text = level(&[("Ground", MIXED)], r#"<tile id="0" class="SolidBrick"/>"#, "");
+    let text = layered(&[("Ground", MIXED)], r#"<tile id="0" class="SolidBrick"/>"#, "");
     assert_eq!(baked(&text, &[]).0, "5 0 {}");
     for name in ["no_collision", "solidarity", "walkable", "passable", "Kill"] {
-        let text = level(&[("Map", MIXED)], &property(0, name, r#"type="bool" value="true""#), "");
+        let text = layered(&[("Map", MIXED)], &property(0, name, r#"type="bool" value="true""#), "");
         assert_eq!(baked(&text, &[]).0, "", "{name}");
     }
     // What a rule marks comes first, and a name that is only a flag says nothing.
     let both = property(0, "isSolid", r#"type="bool" value="true""#) + r#"<tile id="3" class="Wall"/>"#;
-    assert_eq!(baked(&level(&[("Map", MIXED)], &both, ""), &[]).0, r#"6 0 {"isSolid":5}"#);
-    let text = level(&[("Map", MIXED)], &property(0, "isSolid", r#"type="bool" value="true""#), "");
+    assert_eq!(baked(&layered(&[("Map", MIXED)], &both, ""), &[]).0, r#"6 0 {"isSolid":5}"#);
+    let text = layered(&[("Map", MIXED)], &property(0, "isSolid", r#"type="bool" value="true""#), "");
     assert!(baked(&text, &["--flag", "isSolid"]).1.contains("nothing is solid"));
 }
 
@@ -77,7 +65,7 @@ fn tiles_that_bodies_cannot_walk_on() {
     ] {
         let tiles = property(0, name, rest) + &property(3, name, r#"type="bool" value="true""#);
         for layer in ["Map", "Ground"] {
-            let text = level(&[(layer, MIXED)], &tiles, "");
+            let text = layered(&[(layer, MIXED)], &tiles, "");
             let (found, said) = baked(&text, &[]);
             assert_eq!(found, format!(r#"5 0 {{"{name}":6}}"#), "{name} {layer}");
             assert!(said.contains(&format!("--solid '{name}:{value}' confirms it")), "{said}");
@@ -91,8 +79,8 @@ fn tiles_that_bodies_cannot_walk_on() {
 #[test]
 fn tiles_that_bodies_can_walk_on() {
     let tiles = property(3, "walkable", r#"type="bool" value="true""#);
-    assert_eq!(baked(&level(&[("Ground", MIXED)], &tiles, ""), &[]).0, r#"5 0 {"walkable":6}"#);
-    let why = baked(&level(&[("Map", MIXED)], &tiles, ""), &[]).1;
+    assert_eq!(baked(&layered(&[("Ground", MIXED)], &tiles, ""), &[]).0, r#"5 0 {"walkable":6}"#);
+    let why = baked(&layered(&[("Map", MIXED)], &tiles, ""), &[]).1;
     assert!(why.contains("'Map' (11 tiles): add --solid-layer") && !why.contains("add --solid 'walkable'"), "{why}");
 }
 
@@ -107,7 +95,7 @@ fn ground_under_walls() {
         ("floor", "barriers"),
         ("floor", "boundary"),
     ] {
-        let text = level(&[(ground, FULL), (walls, AROUND)], "", "");
+        let text = layered(&[(ground, FULL), (walls, AROUND)], "", "");
         let (found, said) = baked(&text, &[]);
         assert_eq!(found, "10 0 {}", "{ground} {walls}");
         let note =
@@ -123,7 +111,7 @@ fn ground_under_walls() {
         )
     };
     for name in ["Obstacles", "Blocks", "boundaries"] {
-        let (found, said) = baked(&level(&[("Ground", FULL)], "", &objects(name)), &[]);
+        let (found, said) = baked(&layered(&[("Ground", FULL)], "", &objects(name)), &[]);
         assert_eq!(found, "0 4 {}", "{name}");
         assert!(said.contains(&format!("because layer '{name}' stands on it")), "{said}");
     }
@@ -139,7 +127,7 @@ fn ground_beside_walls() {
         ([("Ground", much), ("Platforms", "4,0,0,0,0,0,0,0,0,0,0,0")], 10),
         ([("Walls", FULL), ("Blocks", AROUND)], 12),
     ] {
-        assert_eq!(baked(&level(&layers, "", ""), &[]).0, format!("{cells} 0 {{}}"), "{layers:?}");
+        assert_eq!(baked(&layered(&layers, "", ""), &[]).0, format!("{cells} 0 {{}}"), "{layers:?}");
     }
 }
 
@@ -148,7 +136,7 @@ fn ground_beside_walls() {
 fn nothing_but_ground() {
     let warning =
         "every cell is solid because of the name of layer 'Ground'; if bodies walk on it, add --ignore-layer 'Ground'";
-    let text = level(&[("Ground", FULL), ("Trees", AROUND)], "", "");
+    let text = layered(&[("Ground", FULL), ("Trees", AROUND)], "", "");
     let (found, said) = baked(&text, &[]);
     assert!(found == "12 0 {}" && said.contains(warning), "{found} {said}");
     let remedy = ["--ignore-layer", "Ground", "--solid-layer", "Trees"];
@@ -156,9 +144,9 @@ fn nothing_but_ground() {
     for options in [["--solid-layer", "Ground"], ["--solid-layer", "Trees"]] {
         assert!(!baked(&text, &options).1.contains("every cell"));
     }
-    assert!(!baked(&level(&[("Ground", MIXED)], "", ""), &[]).1.contains("every cell"));
+    assert!(!baked(&layered(&[("Ground", MIXED)], "", ""), &[]).1.contains("every cell"));
     // Tiles have names, and one of them is that of the solid ones.
-    let named = |tiles: &str| level(&[("Ground", AROUND.replace('0', "1").as_str())], tiles, "");
+    let named = |tiles: &str| layered(&[("Ground", AROUND.replace('0', "1").as_str())], tiles, "");
     let text = named(&property(3, "obstacle", r#"type="bool" value="true""#));
     let said = baked(&text, &[]).1;
     assert!(said.contains("; if only the tiles 'obstacle' are solid, add --solid 'obstacle'"), "{said}");
@@ -173,7 +161,7 @@ fn what_is_not_solid_in_a_solid_layer() {
     for (name, rest) in
         [("solid", r#"type="bool" value="false""#), ("isSolid", r#"value="0""#), ("collides", r#"value="false""#)]
     {
-        let text = level(&[("Ground", MIXED)], &property(3, name, rest), "");
+        let text = layered(&[("Ground", MIXED)], &property(3, name, rest), "");
         assert_eq!(baked(&text, &[]).0, "5 0 {}", "{name}");
         let object = |id: u32, properties: &str| {
             format!(r#"<object id="{id}" x="0" y="{}" width="16" height="16">{properties}</object>"#, (id - 1) * 32)
@@ -183,18 +171,18 @@ fn what_is_not_solid_in_a_solid_layer() {
             format!(r#"<objectgroup id="9" name="{layer}">{}{}</objectgroup>"#, object(1, ""), object(2, &own))
         };
         for layer in ["Collision", "Obstacles"] {
-            assert_eq!(baked(&level(&[], "", &objects(layer)), &[]).0, "0 4 {}", "{name} {layer}");
+            assert_eq!(baked(&layered(&[], "", &objects(layer)), &[]).0, "0 4 {}", "{name} {layer}");
         }
         // The user has the last word.
-        assert_eq!(baked(&level(&[], "", &objects("Things")), &["--objects", "Things"]).0, "0 8 {}", "{name}");
+        assert_eq!(baked(&layered(&[], "", &objects("Things")), &["--objects", "Things"]).0, "0 8 {}", "{name}");
         // Its class says the contrary, and comes first.
         let both = objects("Collision").replace(r#"<object id="2""#, r#"<object id="2" class="Solid""#);
-        assert_eq!(baked(&level(&[], "", &both), &[]).0, "0 8 {}", "{name}");
+        assert_eq!(baked(&layered(&[], "", &both), &[]).0, "0 8 {}", "{name}");
     }
     let file = scratch(
         "guesses",
         "left.tmx",
-        level(
+        layered(
             &[],
             "",
             r#"<objectgroup id="9" name="Collision"><object id="1" x="0" y="0" width="9" height="9"/><object id="2" x="0" y="0" width="9" height="9"><properties><property name="solid" type="bool" value="false"/></properties></object></objectgroup>"#,
@@ -208,7 +196,7 @@ fn what_is_not_solid_in_a_solid_layer() {
 #[test]
 fn layers_that_say_that_they_are_not_solid() {
     let no = r#"><properties><property name="collision" type="bool" value="false"/></properties>"#;
-    let text = level(&[("Ground", FULL), ("Platforms", MIXED)], "", "");
+    let text = layered(&[("Ground", FULL), ("Platforms", MIXED)], "", "");
     let denied =
         text.replace(r#"name="Ground" width="4" height="3">"#, &format!(r#"name="Ground" width="4" height="3"{no}"#));
     assert_ne!(text, denied);
@@ -216,7 +204,7 @@ fn layers_that_say_that_they_are_not_solid() {
     assert_eq!(baked(&denied, &["--solid-layer", "Ground"]).0, "12 0 {}");
     let objects =
         r#"<objectgroup id="9" name="Blocks"><object id="1" x="0" y="0" width="16" height="16"/></objectgroup>"#;
-    let denied = level(&[("Platforms", MIXED)], "", &objects.replacen('>', no, 1));
+    let denied = layered(&[("Platforms", MIXED)], "", &objects.replacen('>', no, 1));
     assert_eq!(baked(&denied, &[]).0, "11 0 {}");
     assert_eq!(baked(&denied, &["--objects", "Blocks"]).0, "0 4 {}");
 }
@@ -229,7 +217,7 @@ fn sensors_and_coins_are_not_solid() {
         format!(r#"<tile id="{id}">{own}<objectgroup>{object}</objectgroup></tile>"#)
     };
     let is = |layers: &[(&str, &str)], tiles: &str, objects: &str, option: &[&str], count: &str| {
-        let (found, said) = baked(&level(layers, &(tiles.to_owned() + &boxed(3, "", "")), objects), option);
+        let (found, said) = baked(&layered(layers, &(tiles.to_owned() + &boxed(3, "", "")), objects), option);
         assert!(found.starts_with(count), "{found} {said}, not {count}: {tiles}{objects}");
     };
     let map = [("Map", MIXED)];
@@ -256,7 +244,7 @@ fn sensors_and_coins_are_not_solid() {
 #[test]
 fn platforms_with_few_collision_shapes() {
     let ramp = r#"<tile id="3"><objectgroup><object id="1" x="0" y="16"><polygon points="0,0 16,-16 16,0"/></object></objectgroup></tile>"#;
-    let text = |name: &str, cells: &str| level(&[(name, cells)], ramp, "");
+    let text = |name: &str, cells: &str| layered(&[(name, cells)], ramp, "");
     let (found, said) = baked(&text("Platforms", "0,0,0,0,0,4,1,1,1,1,1,1"), &[]);
     assert!(found == "7 0 {}" && said.contains("6 tiles of layer 'Platforms' are full"), "{found} {said}");
     let refused = baked(&text("Platforms", "0,0,0,0,0,4,1,1,1,1,1,1"), &["--no-guess", "Platforms"]).0;
@@ -271,10 +259,10 @@ fn slopes_by_name_only() {
     let slope = r#"<property name="SlopeLeft" type="bool" value="true"/></properties>"#;
     for (more, count) in [(r#"<property name="solid" type="bool" value="true"/>"#, "11 0"), ("", "6 0")] {
         let tiles = format!(r#"<tile id="0"><properties>{more}{slope}</tile><tile id="3" class="Solid"/>"#);
-        let (found, said) = baked(&level(&[("Map", MIXED)], &tiles, ""), &[]);
+        let (found, said) = baked(&layered(&[("Map", MIXED)], &tiles, ""), &[]);
         assert!(found.starts_with(count) && said.contains("tiles with 'SlopeLeft' are no slopes"), "{found} {said}");
         for option in [["--solid", "t:0=slope-bottom-left"], ["--flag", "slope left"]] {
-            assert_eq!(baked(&level(&[("Map", MIXED)], &tiles, ""), &option).1, "");
+            assert_eq!(baked(&layered(&[("Map", MIXED)], &tiles, ""), &option).1, "");
         }
     }
 }
@@ -288,7 +276,7 @@ fn sides(id: u32, names: &[&str], value: &str) -> String {
 #[test]
 fn tiles_that_block_from_sides() {
     let shapes = |names: &[&str]| {
-        let file = scratch("guesses", "sides.tmx", level(&[("Map", MIXED)], &sides(0, names, "true"), ""));
+        let file = scratch("guesses", "sides.tmx", layered(&[("Map", MIXED)], &sides(0, names, "true"), ""));
         let ran = tilesat(["bake".to_owned(), file.display().to_string(), "--json".to_owned()]);
         let line = ran.out.lines().last().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
         (line.map(|line| format!("{} {}", line["shapes"], line["flags"])), ran.err)
@@ -331,27 +319,27 @@ fn tiles_that_block_from_sides() {
 #[test]
 fn sides_in_a_layer_of_ground() {
     let two = sides(0, &["collideUp", "collideLeft"], "true");
-    let (found, said) = baked(&level(&[("Ground", MIXED)], &two, ""), &[]);
+    let (found, said) = baked(&layered(&[("Ground", MIXED)], &two, ""), &[]);
     assert_eq!(found, r#"6 0 {"collideLeft":5,"collideUp":5}"#);
     assert!(
         said.contains("they block from some sides, and no shape does that; --solid 'collideUp' makes them full"),
         "{said}"
     );
     let none = sides(0, &["collideUp", "collideDown", "collideLeft", "collideRight"], "false");
-    assert_eq!(baked(&level(&[("Ground", MIXED)], &none, ""), &[]).0, "6 0 {}");
+    assert_eq!(baked(&layered(&[("Ground", MIXED)], &none, ""), &[]).0, "6 0 {}");
 }
 
 #[test]
 fn a_layer_without_a_guess() {
-    let text = level(&[("Ground", MIXED), ("Walls", AROUND)], "", "");
+    let text = layered(&[("Ground", MIXED), ("Walls", AROUND)], "", "");
     assert_eq!(baked(&text, &["--no-guess", "Ground"]).0, "10 0 {}");
-    let why = baked(&level(&[("Ground", MIXED)], "", ""), &["--no-guess", "ground"]).1;
+    let why = baked(&layered(&[("Ground", MIXED)], "", ""), &["--no-guess", "ground"]).1;
     assert!(why.contains("nothing is solid"), "{why}");
     let why = baked(&text, &["--no-guess", "Grund"]).1;
     assert!(why.contains("--no-guess Grund: there is no such layer"), "{why}");
     let solid = property(0, "isSolid", r#"type="bool" value="true""#);
-    assert!(baked(&level(&[("Map", MIXED)], &solid, ""), &["--no-guess", "Map"]).1.contains("nothing is solid"));
+    assert!(baked(&layered(&[("Map", MIXED)], &solid, ""), &["--no-guess", "Map"]).1.contains("nothing is solid"));
     // What a rule says stays.
-    let marked = level(&[("Ground", MIXED)], r#"<tile id="0" class="Wall"/>"#, "");
+    let marked = layered(&[("Ground", MIXED)], r#"<tile id="0" class="Wall"/>"#, "");
     assert_eq!(baked(&marked, &["--no-guess", "Ground"]).0, "5 0 {}");
 }

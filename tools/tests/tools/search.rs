@@ -1,19 +1,7 @@
 //! The search for what is solid: which finds end it, for which levels, and what it says of layers
 //! that it passes over.
 
-use crate::support::{map, run, scratch};
-
-/// A map of 4x3 cells with these layers, objects and tiles.
-fn level(layers: &[(&str, &str)], tiles: &str, objects: &str) -> String {
-    let text = map(4, 3, "", "");
-    let old = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
-    let from = text.find("<layer").unwrap();
-    let layer = |(name, cells): &(&str, &str)| {
-        format!(r#"<layer name="{name}" width="4" height="3"><data encoding="csv">{cells}</data></layer>"#)
-    };
-    let all: String = layers.iter().map(layer).collect();
-    format!("{}{all}{objects}</map>", text[..from].replace(old, tiles))
-}
+use crate::support::{layered, run, scratch};
 
 /// The numbers of solid tiles, one-way tiles and segments, and the notes.
 fn baked(text: &str) -> (String, String) {
@@ -43,7 +31,7 @@ fn one_way_finds_do_not_end_the_search() {
         (&[("Ground", FLOOR), ("Platforms", ABOVE)], one_way, "", "4 2 0"),
         (&[("Ground", FLOOR)], "", line.as_str(), "4 0 1"),
     ] {
-        let (found, notes) = baked(&level(layers, tiles, objects));
+        let (found, notes) = baked(&layered(layers, tiles, objects));
         assert!(found == wanted && notes.contains("layer 'Ground' is solid because of its name"), "{found} {notes}");
     }
 }
@@ -52,17 +40,17 @@ fn one_way_finds_do_not_end_the_search() {
 #[test]
 fn tiles_and_objects_are_searched_apart() {
     let wall = object("Things", r#"name="wall""#, (0, 0));
-    assert_eq!(baked(&level(&[("Ground", FLOOR)], "", &wall)).0, "4 0 4");
+    assert_eq!(baked(&layered(&[("Ground", FLOOR)], "", &wall)).0, "4 0 4");
     let marked = r#"<tile id="0" class="Solid"/>"#;
-    let (found, notes) = baked(&level(&[("Map", FLOOR)], marked, &object("Obstacles", "", (0, 0))));
+    let (found, notes) = baked(&layered(&[("Map", FLOOR)], marked, &object("Obstacles", "", (0, 0))));
     assert!(
         found == "4 0 4" && notes.contains("nothing marks solid objects, so layer 'Obstacles' is solid"),
         "{notes}"
     );
     // A lift has a name, a class, properties or a picture.
     let lift = object("Platforms", r#"name="lift""#, (0, 0));
-    assert_eq!(baked(&level(&[("Map", FLOOR)], marked, &lift)).0, "4 0 0");
-    let (found, notes) = baked(&level(&[("Map", FLOOR)], marked, &object("Platforms", r#"class="Lift""#, (0, 0))));
+    assert_eq!(baked(&layered(&[("Map", FLOOR)], marked, &lift)).0, "4 0 0");
+    let (found, notes) = baked(&layered(&[("Map", FLOOR)], marked, &object("Platforms", r#"class="Lift""#, (0, 0))));
     assert!(
         found == "4 0 0" && notes.contains("layer 'Platforms' is not solid, because its objects have a name"),
         "{notes}"
@@ -73,13 +61,13 @@ fn tiles_and_objects_are_searched_apart() {
 #[test]
 fn layers_that_objects_trace_are_not_solid() {
     for at in [(0, 32), (48, 32)] {
-        let (found, notes) = baked(&level(&[("Ground", FLOOR)], "", &object("Things", r#"class="Wall""#, at)));
+        let (found, notes) = baked(&layered(&[("Ground", FLOOR)], "", &object("Things", r#"class="Wall""#, at)));
         assert!(found == "0 0 4" && notes.contains("the solid objects of layer 'Things' lie on it"), "{notes}");
     }
     // Beside a layer of solid objects, ground is not guessed: bodies may walk on it.
     let aside = object("Collision", "", (0, 0));
-    assert_eq!(baked(&level(&[("Platforms", FLOOR)], "", &aside)).0, "4 0 4");
-    let (found, notes) = baked(&level(&[("Ground", FLOOR)], "", &aside));
+    assert_eq!(baked(&layered(&[("Platforms", FLOOR)], "", &aside)).0, "4 0 4");
+    let (found, notes) = baked(&layered(&[("Ground", FLOOR)], "", &aside));
     assert!(found == "0 0 4" && notes.contains("because layer 'Collision' has the solid objects"), "{notes}");
 }
 
@@ -93,12 +81,12 @@ fn layers_that_are_passed_over_are_noted() {
         (&[("Ground", "0,0,2,0,0,0,0,0,1,1,1,1")], marked, "because other tiles of it are marked"),
         (&[("ground_deco", FLOOR), ("Walls", ABOVE)], "", "because its name says that it is drawn behind"),
     ] {
-        let (_, notes) = baked(&level(layers, tiles, ""));
+        let (_, notes) = baked(&layered(layers, tiles, ""));
         let name = layers[0].0;
         assert!(notes.contains(&format!("GUESS: layer '{name}' is not solid, {why}")), "{notes}");
     }
     let objects = object("Things", r#"class="Wall""#, (0, 0)) + &object("Obstacles", "", (32, 0));
-    let (found, notes) = baked(&level(&[], "", &objects));
+    let (found, notes) = baked(&layered(&[], "", &objects));
     assert!(found == "0 0 4" && notes.contains("layer 'Obstacles' is not solid, because other objects are"), "{notes}");
 }
 
@@ -106,8 +94,8 @@ fn layers_that_are_passed_over_are_noted() {
 #[test]
 fn a_world_does_not_contradict_itself() {
     let marked = r#"<tile id="1" class="Solid"/>"#;
-    scratch("search", "a.tmx", level(&[("Ground", ABOVE)], marked, ""));
-    scratch("search", "b.tmx", level(&[("Ground", FLOOR)], marked, ""));
+    scratch("search", "a.tmx", layered(&[("Ground", ABOVE)], marked, ""));
+    scratch("search", "b.tmx", layered(&[("Ground", FLOOR)], marked, ""));
     let world = r#"{"type":"world","maps":[{"fileName":"a.tmx","x":0,"y":0},{"fileName":"b.tmx","x":64,"y":0}]}"#;
     for command in ["bake", "rooms"] {
         let out = scratch("search", "out.rs", "").display().to_string();
@@ -117,20 +105,20 @@ fn a_world_does_not_contradict_itself() {
     }
     // Walls stand on the ground of one map, so the ground of the other one is not solid.
     let everywhere = "1,1,1,1,1,1,1,1,1,1,1,1";
-    scratch("search", "a.tmx", level(&[("Ground", everywhere), ("Walls", ABOVE)], "", ""));
-    scratch("search", "b.tmx", level(&[("Ground", FLOOR), ("Walls", ABOVE)], "", ""));
+    scratch("search", "a.tmx", layered(&[("Ground", everywhere), ("Walls", ABOVE)], "", ""));
+    scratch("search", "b.tmx", layered(&[("Ground", FLOOR), ("Walls", ABOVE)], "", ""));
     let ran = run("bake", scratch("search", "w.world", world), "--json");
     let solid = ran.out.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["solid"].clone());
     assert_eq!(solid.collect::<Vec<_>>(), [2, 2], "{ran:?}");
     // Alone, the map is guessed.
-    let ran = run("bake", scratch("search", "b.tmx", level(&[("Ground", FLOOR)], marked, "")), "--json");
+    let ran = run("bake", scratch("search", "b.tmx", layered(&[("Ground", FLOOR)], marked, "")), "--json");
     assert!(ran.out.contains("\"solid\":4"), "{ran:?}");
 }
 
 /// A level that is skipped need not be readable.
 #[test]
 fn skipped_levels_are_not_read() {
-    scratch("search", "a.tmx", level(&[("Collision", FLOOR)], "", ""));
+    scratch("search", "a.tmx", layered(&[("Collision", FLOOR)], "", ""));
     let world = r#"{"type":"world","maps":[{"fileName":"a.tmx","x":0,"y":0},{"fileName":"gone.tmx","x":64,"y":0}]}"#;
     let file = || scratch("search", "skip.world", world);
     assert_eq!(run("bake", file(), "--json").status, 2);
@@ -141,7 +129,7 @@ fn skipped_levels_are_not_read() {
 /// A layer can have no name.
 #[test]
 fn options_name_layers_without_a_name() {
-    let file = scratch("search", "bare.tmx", level(&[], "", &object("", "", (0, 0))));
+    let file = scratch("search", "bare.tmx", layered(&[], "", &object("", "", (0, 0))));
     let ran =
         crate::support::tilesat(["bake".into(), file.into_os_string(), "--json".into(), "--objects".into(), "".into()]);
     assert!(ran.out.contains("\"segments\":4"), "{ran:?}");

@@ -102,6 +102,18 @@ pub(crate) fn map(width: usize, height: usize, csv: &str, list: &str) -> String 
     )
 }
 
+/// A map of 4x3 cells with these layers, tiles and objects.
+pub(crate) fn layered(layers: &[(&str, &str)], tiles: &str, objects: &str) -> String {
+    let text = map(4, 3, "", "");
+    let old = r#"<tile id="0" type="Solid"/><tile id="1" type="OneWay"/><tile id="2" type="Kill"/>"#;
+    let from = text.find("<layer").unwrap();
+    let layer = |(name, cells): &(&str, &str)| {
+        format!(r#"<layer name="{name}" width="4" height="3"><data encoding="csv">{cells}</data></layer>"#)
+    };
+    let all: String = layers.iter().map(layer).collect();
+    format!("{}{all}{objects}</map>", text[..from].replace(old, tiles))
+}
+
 /// An `LDtk` project of one level `One` with one layer `Solid` of these values, numbered from 1.
 pub(crate) fn ldtk(values: &[&str], width: usize, height: usize, csv: &str) -> String {
     let values: Vec<String> =
