@@ -3,13 +3,14 @@
 
 use super::body::{Body, Entry, may_be_round};
 use super::contact::{Bend, Came, Plane, came, touched};
+use super::free_way::FreeWay;
 use super::order::First;
 use super::plane::{NEAR, across, into, long, may_be_askew, project, reflect, way};
 use super::response::{Law, Smooth};
 use super::run::{Run, check_inside, straightened};
 use super::search::margin;
 use super::slope_limit::SurfaceRole;
-use super::ways::{FreeWay, Ways};
+use super::ways::Ways;
 use super::{Mover, Response};
 use crate::num::{Axis, Raw, Toi, mul_div, umul};
 use crate::world::{Feature, World};

@@ -86,7 +86,8 @@ fn kind(r: &mut Random, radius: i64) -> (&'static str, i64) {
 fn assert_most_rest(seen: &Seen) {
     for (of, [rests, leaves]) in seen {
         println!("{of:?}: {rests} rest, {leaves} leave");
-        assert!(2 * rests > *leaves, "{of:?}: {rests} rest, {leaves} leave");
+        // The share of a few bodies says nothing.
+        assert!(rests + leaves < 40 || 2 * rests > *leaves, "{of:?}: {rests} rest, {leaves} leave");
     }
     assert_eq!(seen.len(), 3 * GRAVITIES.len());
 }

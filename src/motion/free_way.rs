@@ -1,0 +1,212 @@
+//! A way on from a position: a velocity, or its projection on a surface that the body touches, and
+//! how far it leads before a surface binds it.
+
+use super::body::{Body, Entry, by_size};
+use super::contact::{Bend, Plane, touched};
+use super::plane::{FAR, NEAR, across, into, way};
+use crate::num::{Axis, Raw, cmp_squares, mul_div, umul};
+use crate::world::{Feature, Geometry, World, normal};
+use core::cmp::Ordering;
+
+/// A way on.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(super) struct FreeWay {
+    /// The plane that it is along; `None` for the velocity itself.
+    pub(super) along: Option<Plane>,
+    /// The velocity at its start.
+    pub(super) v: Raw,
+    /// A displacement in its direction, long enough to find what blocks it.
+    probe: Raw,
+    /// Whether the projected velocity leads into the plane. Behind the words, as in a
+    /// [`Hit`](super::Hit).
+    presses: bool,
+    /// How far it leads before a surface binds it: up to [`FAR`], [`FREE`](Self::FREE), or
+    /// [`UNKNOWN`](Self::UNKNOWN).
+    room: u8,
+}
+
+impl FreeWay {
+    const FREE: u8 = u8::MAX;
+    const UNKNOWN: u8 = u8::MAX - 1;
+
+    pub(super) const fn of(along: Option<Plane>, v: Raw, probe: Raw, presses: bool) -> Self {
+        Self { along, v, probe, presses, room: Self::UNKNOWN }
+    }
+
+    pub(super) fn is_free(&self) -> bool {
+        self.room == Self::FREE
+    }
+
+    pub(super) fn is_settled(&self) -> bool {
+        self.room != Self::UNKNOWN
+    }
+
+    /// Frees it, until something [binds](Self::bind_by) it.
+    pub(super) fn free(&mut self) {
+        self.room = Self::FREE;
+    }
+
+    /// Whether it leads on by at least a raw unit, though it is bound.
+    pub(super) fn can_creep(&self) -> bool {
+        self.room > 0 && u32::from(self.room) <= FAR
+    }
+
+    pub(super) fn probe(&self) -> Raw {
+        self.probe
+    }
+
+    /// Binds it if it leads into a feature.
+    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
+        // The gap to a pipe opens with the square of the way. A probe does not show that a way
+        // leads into it; the pipe's normal does.
+        if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
+            let (way, mut leads_in) = (*self, false);
+            touched::<W, B>(body, feature, &mut |pipe| {
+                leads_in |= way.along != Some(pipe) && pipe.is_pipe_ahead(way.v);
+            });
+            if leads_in {
+                self.room = 0;
+            }
+        }
+        if self.room == 0 {
+            return;
+        }
+        // The face that a way is along is the most frequent one.
+        if matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0) {
+            return;
+        }
+        if W::WIDE && self.enters_a_bend::<W, B>(body, feature) {
+            self.room = 0;
+            return;
+        }
+        let Some(entry) = &body.sweep_in::<W>(self.probe, feature) else { return };
+        if let Some(room) = room_to(self.probe, entry) {
+            self.room = self.room.min(room);
+        }
+    }
+
+    /// Whether it is along a face and leads into a second one that faces the same side and that the
+    /// body touches.
+    ///
+    /// A probe does not show that if the faces differ by little: it meets the second one beyond
+    /// [`FAR`]. In a V of such faces a body would sway for ever, because each leaves it free.
+    fn enters_a_bend<W: World, B: Body>(&self, body: &B, feature: &Feature) -> bool {
+        let Some(Plane { normal: along, bend: Bend::Flat | Bend::End }) = self.along else { return false };
+        let mut enters = false;
+        touched::<W, B>(body, feature, &mut |Plane { normal, bend }| {
+            enters |= bend == Bend::Flat && along.dot(normal) > 0 && into(self.probe, normal) < 0;
+        });
+        enters
+    }
+
+    /// The length of its part of a velocity, before rounding: `along / |normal|`. Computed when
+    /// needed, which makes a list of ten 160 bytes of stack shorter.
+    fn length(&self, of: Raw) -> (u64, u64) {
+        self.along.as_ref().map_or((u64::MAX, 1), |p| (across(of, p.normal).unsigned_abs(), p.normal.length_squared()))
+    }
+
+    /// Whether it is longer than another projection, if the rounded velocities show that. They
+    /// differ from the lengths before rounding by less than 32 raw, see [`project`]. With `|v| <=
+    /// |v.x| + |v.y|`, squares then need no root: `(|v| + 64)^2`.
+    fn is_clearly_longer(&self, other: &Self) -> Option<bool> {
+        let above = |v: Raw, square: u64| {
+            let sum = u64::from(v.x.unsigned_abs()).wrapping_add(v.y.unsigned_abs().into());
+            square.wrapping_add(sum << 7).wrapping_add(1 << 12)
+        };
+        let (a, b) = (self.v.len2(), other.v.len2());
+        let longer = a > above(other.v, b);
+        (longer || b > above(self.v, a)).then_some(longer)
+    }
+
+    /// The velocity itself comes first, then its longer projections. If lengths are equal, mirrored
+    /// or not, the one longer along x comes first, then +. Then the planes decide in the same way.
+    /// The order of visits never decides.
+    pub(super) fn goes_before(&self, other: &Self, of: Raw) -> bool {
+        let (Some(p), Some(q)) = (&self.along, &other.along) else { return self.along.is_none() };
+        let (n, m) = (p.normal, q.normal);
+        // Sides of a box and ends of faces often have a face's normal. Their lengths are equal.
+        let lengths = if n == m || n == m.reversed() {
+            Ordering::Equal
+        } else if let Some(longer) = self.is_clearly_longer(other) {
+            return longer;
+        } else {
+            let ((a, n), (b, m)) = (self.length(of), other.length(of));
+            cmp_squares((a, m), (b, n))
+        };
+        // A plane that presses back goes first: it has the friction.
+        lengths
+            .then_with(|| by_size(Axis::new(self.v.x, self.v.y), Axis::new(other.v.x, other.v.y)))
+            .then_with(|| self.presses.cmp(&other.presses))
+            .then_with(|| by_size(n, m))
+            .then_with(|| p.bend.rank().cmp(&q.bend.rank()))
+            .is_gt()
+    }
+}
+
+/// The way of a probe up to its hit, if that binds it. It does if the way is at most the rounding
+/// distance. It does, too, if the way is at most [`FAR`] and the gap along the normal is at most
+/// the rounding distance. The answer does not depend on how a face is cut.
+pub(super) fn room_to(probe: Raw, entry: &Entry) -> Option<u8> {
+    let room = mul_div(way(probe), entry.num, entry.den);
+    let n = entry.normal;
+    let gap = into(Raw { x: part(probe.x, entry), y: part(probe.y, entry) }, n).unsigned_abs();
+    let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
+    (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room as u8)
+}
+
+/// A component of a displacement up to a hit, rounded toward zero.
+fn part(c: i32, entry: &Entry) -> i32 {
+    let part = mul_div(c.unsigned_abs(), entry.num, entry.den) as i32;
+    if c < 0 { part.wrapping_neg() } else { part }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FreeWay, Plane, across};
+    use crate::motion::plane::project;
+    use crate::motion::response::Smooth;
+    use crate::num::{Axis, Raw};
+    use crate::shape::Circle;
+    use crate::world::{AllShapes, TileMap};
+    use core::cmp::Ordering;
+    use tilesat_judge::{Random, cases, enough};
+
+    fn way(v: Raw, n: Axis) -> FreeWay {
+        let v = project::<Circle, TileMap<'static, AllShapes>, _>(v, n, &Smooth);
+        FreeWay::of(Some(Plane::flat(n)), v, v, false)
+    }
+
+    /// Rounded lengths never say the opposite of the exact ones. The second normal is often the
+    /// first one, turned by little or mirrored.
+    #[test]
+    fn rounded_lengths_agree_with_exact_ones() {
+        let (mut random, mut told) = (Random::new(17), 0u32);
+        for _ in 0..cases(400_000) {
+            let (speed, size) = (1 << random.within(1, 24), 1 << random.within(1, 17));
+            let part = |random: &mut Random, most: i64| random.around(most) as i32;
+            let v = Raw { x: part(&mut random, speed), y: part(&mut random, speed) };
+            let n = Axis::new(part(&mut random, size), part(&mut random, size));
+            let turned = [Axis::new(n.y, n.x), Axis::new(n.x.wrapping_add(1), n.y), Axis::new(-n.x, n.y)];
+            let other = Axis::new(part(&mut random, size), part(&mut random, size));
+            for m in turned.into_iter().chain([other]) {
+                if n.is_zero() || m.is_zero() {
+                    continue;
+                }
+                let (a, b) = (i128::from(across(v, n)), i128::from(across(v, m)));
+                let square = |n: Axis| i128::from(n.length_squared());
+                let exact = (a * a * square(m)).cmp(&(b * b * square(n)));
+                let (one, two) = (way(v, n), way(v, m));
+                if one.v.is_zero() || two.v.is_zero() {
+                    continue;
+                }
+                if let Some(longer) = one.is_clearly_longer(&two) {
+                    assert_eq!(longer, exact == Ordering::Greater, "{v:?} along {n:?} and {m:?}");
+                    assert_ne!(exact, Ordering::Equal, "{v:?} along {n:?} and {m:?}");
+                    told += 1;
+                }
+            }
+        }
+        assert!(enough(told > 10_000), "{told}");
+    }
+}
