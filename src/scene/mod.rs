@@ -242,8 +242,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **A hero**, or an enemy that walks, is a [`SceneCharacter`]. It stands on the boxes of the
-//! scene, pushes them, and goes along with the box below it. If you move a hero by a
+//! **A hero**, or an enemy that walks, is a [`SceneCharacter`]. It stands on the bodies of the
+//! scene, pushes them, and goes along with the one below it. If you move a hero by a
 //! [`Walker`](crate::Walker) of your own, give it a [`led`](SceneBody::led) body. In each frame,
 //! walk through the level, [`place`](Scene::place) the body, and call `step`. Then continue from
 //! the position to which the scene pushed the body, and set its velocity to zero. The body never
@@ -372,6 +372,7 @@ mod blocked_sides;
 mod body;
 mod body_path;
 mod change;
+mod character_looks;
 mod error;
 mod event;
 mod farthest_pushes;

@@ -1,19 +1,19 @@
-//! A character among the bodies of a scene: it stands on boxes, and pushes them.
+//! A character among the bodies of a scene: it stands on them, and pushes them.
 
 use super::farthest_pushes::FarthestPushes;
 use super::kernel::BodyShape;
 use super::level_of_body::sliding;
-use super::reached::{Boxes, Reached};
+use super::reached::{MetBodies, Reached};
 use super::{Scene, SceneBody, SceneError};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
-use crate::motion::{Body, Character, Input, Mover, Step};
+use crate::motion::{Body, Character, Hit, Input, Mover, Step};
 use crate::num::{Fx, Vec2};
 use crate::shape::Aabb;
 use crate::world::{Joined, Solid, Solids, World};
 
 /// A [`Character`] and its body in a [`Scene`]. The character moves by its own rules, stands on the
-/// boxes of the scene, and pushes them.
+/// bodies of the scene, and pushes them.
 ///
 /// Insert a [`led`](SceneBody::led) body at the position of the character. Then each frame has
 /// three calls:
@@ -24,16 +24,21 @@ use crate::world::{Joined, Solid, Solids, World};
 ///      and its body  +->|crate    part       +-| |->|    the others left its body
 /// ```
 ///
-/// 1. [`lead`](Self::lead) moves the character, and puts its body there. It stands on boxes that
-///    are below it, and passes the sides of boxes that can move.
-/// 2. [`Scene::step`] parts the body and the boxes: the character pushes.
-/// 3. [`follow`](Self::follow) moves the character to its body. If it stands on a box, the box
+/// 1. [`lead`](Self::lead) moves the character, and puts its body there. It stands on bodies that
+///    are below it, and passes the sides of those that can move.
+/// 2. [`Scene::step`] parts the body and the others: the character pushes.
+/// 3. [`follow`](Self::follow) moves the character to its body. If it stands on a body, that one
 ///    carries it.
 ///
-/// What counts as a floor is a body that is an [`Aabb`], meets the character's body by its
-/// [filter](SceneBody::filter), and is no sensor. Fixed boxes block from all sides. A body of
-/// another shape only pushes the character. Of more than 16 boxes and lifts in its reach, the
-/// nearest count.
+/// A body counts if it meets the character's body by its [filter](SceneBody::filter), and neither
+/// is a sensor. Of more than 16 bodies and lifts in its reach, the nearest count.
+///
+/// - **Fixed boxes** block from all sides. A character climbs them as it climbs tiles, up to its
+///   [step](crate::Feel::step).
+/// - **Boxes that can move** are floors from above. A character on a floor climbs one that is no
+///   higher than its step. If there is no room above it, the character pushes it, like all others.
+/// - **Other shapes** are floors where the character is above them, up to 45 degrees. They are not
+///   in its way: as it runs up a flank, the step pushes it up. A steeper flank pushes it aside.
 ///
 /// `B` is the shape of the character. Plain data: a copy, with one of the scene, is a snapshot.
 ///
@@ -72,16 +77,16 @@ pub struct SceneCharacter<B = Aabb> {
     /// The positions of the character and of its body after the last call.
     pub(super) seen: Vec2,
     pub(super) at: Vec2,
-    /// The box that it stands on.
+    /// The body that it stands on.
     pub(super) on: Option<Under>,
-    /// The box that it stood on at the start of its step, which takes it along in the scene's step.
-    /// So a jump off a box that moves is the jump off one at rest, seen from the box.
+    /// The body that it stood on at the start of its step, which takes it along in the scene's
+    /// step. So a jump off a body that moves is the jump off one at rest, seen from that body.
     pub(super) rides: Option<Under>,
-    /// How far the box that it stands on has moved since its last step.
+    /// How far the body that it stands on has moved since its last step.
     pub(super) carry: Vec2,
 }
 
-/// A box under a character, and the position at which it was last seen.
+/// A body under a character, and the position at which it was last seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Under {
@@ -90,7 +95,7 @@ pub(super) struct Under {
 }
 
 impl Under {
-    /// `None` if the box was removed.
+    /// `None` if the body was removed.
     fn of<P, S, const N: usize, const M: usize>(body: Handle, scene: &Scene<P, N, M, S>) -> Option<Self>
     where
         P: BroadPhase<Tag = Keyed<Filter>>,
@@ -99,7 +104,7 @@ impl Under {
         Some(Self { body, at: scene.body(body).ok()?.shape.position() })
     }
 
-    /// How far the box has moved since it was last seen. Zero if it was removed.
+    /// How far the body has moved since it was last seen. Zero if it was removed.
     fn update<P, S, const N: usize, const M: usize>(under: &mut Option<Self>, scene: &Scene<P, N, M, S>) -> Vec2
     where
         P: BroadPhase<Tag = Keyed<Filter>>,
@@ -126,7 +131,7 @@ impl<B: Body> SceneCharacter<B> {
         self.body
     }
 
-    /// The box of the scene that it stands on. `None` in the air, and on the level or a lift.
+    /// The body of the scene that it stands on. `None` in the air, and on the level or a lift.
     #[must_use]
     pub const fn stands_on(&self) -> Option<Handle> {
         match self.on {
@@ -142,11 +147,12 @@ impl<B: Body> SceneCharacter<B> {
     /// that carries and pushes the body of the character like all others. Then pass them to `lead`
     /// and `follow`, and step the scene in the level [`Joined`] with them.
     ///
-    /// [`Input::drop`] drops through one-way tiles and lifts, not through boxes. [`Step::wall`]
+    /// [`Input::drop`] drops through one-way tiles and lifts, not through bodies. [`Step::wall`]
     /// does not show a box that the character pushes; the scene reports the contact.
     ///
     /// Cost: one [`Walker::walk`](crate::Walker::walk) in a joined level, a region query, and up to
-    /// two overlap tests.
+    /// two overlap tests. Each body of another shape in reach adds a cast. A second walk follows if
+    /// there is no room above a low box.
     ///
     /// # Errors
     /// The errors of [`Character::step`], and of [`Scene::place`]. The character and the scene are
@@ -171,27 +177,36 @@ impl<B: Body> SceneCharacter<B> {
         let made = next.catch_up(scene, level, lifts)?.made;
         let carry = next.carry + if next.goes_along(made) { made } else { Vec2::ZERO };
         let far = next.character.reach(input, carry).map_err(|e| SceneError::of(self.body, e))?;
-        let boxes = Boxes::AndBelow { larger_y: next.character.falls_to_larger_y() };
-        let reached = Reached::of(scene, (self.body, &next.bounds()), lifts, far, boxes);
-        let world = Solids::new(reached.solids());
-        let step = next.character.step_carried(&Joined::new(level, &world), input, carry);
-        let step = step.map_err(|e| SceneError::of(self.body, e))?;
-        let on = next.character.ridden().and_then(|key| reached.body(key));
-        next.on = on.and_then(|body| Under::of(body, scene));
+        let (start, mut climb) = (next.character, next.climb());
+        let step = loop {
+            let reached = next.floors(scene, lifts, far, climb);
+            let world = Solids::new(reached.solids());
+            let step = next.character.step_carried(&Joined::new(level, &world), input, carry);
+            let step = step.map_err(|e| SceneError::of(self.body, e))?;
+            let crate_ = |hit: &Hit| hit.axis.x != 0 && hit.solid().is_some_and(|key| reached.is_loose(key, scene));
+            // Without room above a low box, it pushes the box.
+            if climb > 0 && step.wall && step.hits.iter().any(crate_) {
+                (next.character, climb) = (start, Fx::ZERO);
+                continue;
+            }
+            let on = next.character.ridden().and_then(|key| reached.body(key));
+            next.on = on.and_then(|body| Under::of(body, scene));
+            break step;
+        };
         next.put(scene)?;
         *self = next;
         Ok(step)
     }
 
-    /// Moves the character to where the scene's step left its body, and with the box that it stands
-    /// on. Call it once after the step, with the same lifts.
+    /// Moves the character to where the scene's step left its body, and with the body that it
+    /// stands on. Call it once after the step, with the same lifts.
     ///
     /// Returns how far the other bodies pushed it: against its run while it pushes something. An
     /// enemy turns round if that is nearly all of its run. Along y, a push takes as much of the
     /// character's velocity against it. What a hit adds to the velocity of its *body* is there
     /// until the next `lead`, to knock the character back.
     ///
-    /// Cost: an overlap test if others pushed it; a motion in the level if a box carried it.
+    /// Cost: an overlap test if others pushed it; a motion in the level if a body carried it.
     ///
     /// # Errors
     /// [`Stale`](crate::broad::BroadError::Stale) if its body was removed. The character is then
@@ -217,7 +232,7 @@ impl<B: Body> SceneCharacter<B> {
         Ok(pushed)
     }
 
-    /// Moves the character by the motions of its body and of the box that it rides since the last
+    /// Moves the character by the motions of its body and of the one that it rides since the last
     /// call. The level, the lifts and fixed boxes stop it.
     fn catch_up<W, P, S, const N: usize, const M: usize>(
         &mut self,
@@ -247,13 +262,13 @@ impl<B: Body> SceneCharacter<B> {
                 self.shift(pushed, |body| !body.overlaps_world(&Joined::new(level, &Solids::new(lifts))));
             }
         } else {
-            // A box that rises pushes the body as well: the motions are not added.
+            // A body that rises pushes its own as well: the motions are not added.
             let mut motions = FarthestPushes::NONE;
             motions.add(pushed);
             motions.add(carried);
             let both = motions.sum();
             let far = both.x.unsigned_abs().max(both.y.unsigned_abs()).to_bits();
-            let reached = Reached::of(scene, (self.body, &self.bounds()), lifts, far, Boxes::Fixed);
+            let reached = Reached::of(scene, (self.body, &self.bounds()), lifts, far, MetBodies::FixedBoxes);
             let (mover, body) = (sliding(Mover::new()), *self.character.body());
             let world = Solids::new(reached.solids());
             if let Ok(moved) = mover.move_and_slide(&Joined::new(level, &world), &body, both) {
@@ -272,6 +287,29 @@ impl<B: Body> SceneCharacter<B> {
         let size = bounds.max() - bounds.min();
         let sinks = if self.character.falls_to_larger_y() { by.y } else { -by.y };
         sinks <= self.character.feel.snap && by.x.abs() <= size.x && by.y.abs() <= size.y
+    }
+
+    /// The highest box that it climbs now.
+    pub(super) fn climb(&self) -> Fx {
+        if self.character.on_floor() { self.character.feel.step } else { Fx::ZERO }
+    }
+
+    /// What it may meet in a walk that leads so far.
+    pub(super) fn floors<P, S, const N: usize, const M: usize>(
+        &self,
+        scene: &Scene<P, N, M, S>,
+        lifts: &[Solid],
+        far: u32,
+        step: Fx,
+    ) -> Reached
+    where
+        P: BroadPhase<Tag = Keyed<Filter>>,
+        S: BodyShape,
+        B: Into<S>,
+    {
+        let of = (*self.character.body()).into();
+        let bodies = MetBodies::AndFloors { of, larger_y: self.character.falls_to_larger_y(), step };
+        Reached::of(scene, (self.body, &self.bounds()), lifts, far, bodies)
     }
 
     fn bounds(&self) -> Aabb {

@@ -7,6 +7,8 @@ mod broad_model;
 mod broad_pairs;
 mod broad_removals;
 mod carried_characters;
+mod character_floors;
+mod character_looks;
 mod chased;
 mod crates_in_rows;
 mod fast_curves;

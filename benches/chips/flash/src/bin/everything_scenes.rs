@@ -151,6 +151,9 @@ fn characters() {
         |body: Aabb, key: u32| SceneBody::<Shape>::led(body, key);
         |hero: &mut SceneCharacter, s: &mut Scene<Near, 16>, l: &TileMap<'_, AllShapes>, lifts: &[Solid], i: Input| hero.lead(s, l, lifts, i);
         |hero: &mut SceneCharacter, s: &Scene<Near, 16>, l: &TileMap<'_, AllShapes>, lifts: &[Solid]| hero.follow(s, l, lifts);
+        |hero: &SceneCharacter, s: &Scene<Near, 16>, l: &TileMap<'_, AllShapes>, lifts: &[Solid], far: Fx| hero.ledge_ahead(s, l, lifts, far);
+        |hero: &mut SceneCharacter, s: &Scene<Near, 16>, l: &TileMap<'_, AllShapes>, lifts: &[Solid], body: Aabb| hero.set_body(s, l, lifts, body);
+        |hero: &SceneCharacter, s: &Scene<Near, 16>| hero.pressed_by(s);
         |pill: &mut SceneCharacter<Capsule>, s: &mut Pills, l: &TileMap<'_, AllShapes>, lifts: &[Solid], i: Input| pill.lead(s, l, lifts, i);
         |pill: &mut SceneCharacter<Capsule>, s: &Pills, l: &TileMap<'_, AllShapes>, lifts: &[Solid]| pill.follow(s, l, lifts);
     }
