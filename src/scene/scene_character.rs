@@ -183,9 +183,9 @@ impl<B: Body> SceneCharacter<B> {
             let world = Solids::new(reached.solids());
             let step = next.character.step_carried(&Joined::new(level, &world), input, carry);
             let step = step.map_err(|e| SceneError::of(self.body, e))?;
-            let crate_ = |hit: &Hit| hit.axis.x != 0 && hit.solid().is_some_and(|key| reached.is_loose(key, scene));
+            let is_crate = |hit: &Hit| hit.axis.x != 0 && hit.solid().is_some_and(|key| reached.is_loose(key, scene));
             // Without room above a low box, it pushes the box.
-            if climb > 0 && step.wall && step.hits.iter().any(crate_) {
+            if climb > 0 && step.wall && step.hits.iter().any(is_crate) {
                 (next.character, climb) = (start, Fx::ZERO);
                 continue;
             }
