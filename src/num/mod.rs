@@ -36,7 +36,7 @@ mod vec2;
 mod wide;
 
 pub use direction::{Axis, UnitVec2};
-pub(crate) use direction::{on_circle, scaled, toward, unit_by, unit_ceil};
+pub(crate) use direction::{div_length, on_circle, scaled, toward, unit_by, unit_ceil};
 pub use domain::{DOMAIN, MOTION};
 pub(crate) use domain::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use inverse_root::InverseRoot;

@@ -59,7 +59,7 @@ mod quotients {
 }
 
 mod unit {
-    use crate::num::direction::{Normalised, unit_by, unit_nearest};
+    use crate::num::direction::{Normalised, div_length, unit_by, unit_nearest};
     use crate::num::inverse_root::{InverseRoot, div_sqrt};
     use crate::num::quotient::isqrt64;
     use crate::num::{Axis, sqr64};
@@ -87,6 +87,7 @@ mod unit {
                     for s in [s, s + q / 2, s + q].into_iter().filter(|&s| sqr64(s) < (n >> 2, n << 62)) {
                         assert_eq!(inverse.times(s, n), div_sqrt(s, n), "{axis:?} {s}");
                         let floor = |q: u64| u128::from(q).pow(2) * u128::from(n) <= u128::from(s).pow(2);
+                        assert_eq!(div_length(s, axis), (div_sqrt(s, n), unit_nearest(axis)), "{axis:?} {s}");
                         let q = u64::from(div_sqrt(s, n));
                         assert!(floor(q) && !floor(q + 1), "{axis:?} {s}");
                     }
