@@ -366,6 +366,9 @@ pub(super) const fn by_reciprocal(n: u64, d: u32) -> u32 {
     // Never above the exact quotient; below it by at most 26.5 parts in 2^31 (53 units) and a
     // truncation: at most 7 rounds by 8.
     let mut rem = n.wrapping_sub(umul(q, d));
+    if rem < d as u64 {
+        return q;
+    }
     let mut step = d as u64 * 8;
     let mut weight = 8;
     while weight > 0 {
