@@ -4,7 +4,8 @@ use super::body::Entry;
 use crate::num::{Axis, Raw, Toi, less128, mul64, sqr64, umul, usqr};
 use crate::query::cast::crossing::{Crossing, direction};
 use crate::query::cast::moment::{exit_time, ratio};
-use crate::query::cast::side::{along, offset_to_radius};
+use crate::query::cast::offset::offset;
+use crate::query::cast::side::along;
 use core::cmp::Ordering;
 
 /// The entry of a crossing. A body that is over a corner or an arc from the start does not enter.
@@ -112,30 +113,6 @@ pub(super) fn enters_along(m: Raw, d: Raw, e: Axis, cross: i64, r: i32) -> bool 
     in_time(offset(cross, e, r, du), approaching, du > 0, false)
 }
 
-/// As [`offset_to_radius`], but mostly with one product if `|e|` is 1 or the root of 2 or 5. It
-/// bounds the length of the offset by two sums of its halves.
-fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
-    let (size, speed) = (cross.unsigned_abs(), du.unsigned_abs());
-    if speed >> 32 == 0 && e.x.unsigned_abs().max(e.y.unsigned_abs()) <= 2 {
-        let (short, long) = match e.x.wrapping_mul(e.x).wrapping_add(e.y.wrapping_mul(e.y)) {
-            1 => (size, size),
-            // 45/32 < sqrt(2) < 23/16, and 71/32 < sqrt(5) < 9/4, for sizes below 2^60. The 4 makes
-            // up for the bits that the shifts drop.
-            2 => (size + (size >> 2) + (size >> 3) + (size >> 5), size + (size >> 1) - (size >> 4) + 4),
-            5 => (2 * size + (size >> 3) + (size >> 4) + (size >> 5), 2 * size + (size >> 2) + 4),
-            _ => (0, u64::MAX),
-        };
-        let radius = umul(r.unsigned_abs(), speed as u32);
-        if short > radius {
-            return Ordering::Greater;
-        }
-        if long < radius {
-            return Ordering::Less;
-        }
-    }
-    offset_to_radius(cross, e, r, du)
-}
-
 /// Whether the entry into the disc is after s if `rising`, otherwise before it. If `closed`, at s
 /// is enough.
 ///
@@ -232,31 +209,5 @@ pub(super) fn leave_pipe(m: Raw, room: i32, d: Raw, quadrant: Axis) -> Option<En
         Ordering::Equal => leave_centre(m, d, quadrant),
         // It meets the arc's ends first.
         Ordering::Less => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Axis, offset, offset_to_radius};
-
-    /// Around an offset equal to the radius, by parts of it and by raw units: the bounds agree with
-    /// exact squares.
-    #[test]
-    #[allow(clippy::cast_precision_loss, reason = "only to come near the edge")]
-    fn bounds_of_offsets_are_on_both_sides() {
-        for (x, y) in [(1, 0), (0, -1), (1, 1), (-1, 1), (2, 1), (1, -2), (-2, -1), (2, 2), (3, 1), (70_001, -13)] {
-            let e = Axis::new(x, y);
-            let length = (e.length_squared() as f64).sqrt();
-            for r in [0, 1, 7, 655_361, (1 << 28) - 1] {
-                for du in [1, -3, 65_537, -2_621_443, (1 << 29) + 5, 1 << 31] {
-                    let edge = (f64::from(r) * (du as f64).abs() / length) as i64;
-                    let near = (-128..=128).flat_map(|k| [edge + edge / 64 * k, edge + edge / 8192 * k, edge + k]);
-                    for cross in near {
-                        let wanted = offset_to_radius(cross, e, r, du);
-                        assert_eq!(offset(cross, e, r, du), wanted, "{cross} {e:?} {r} {du}");
-                    }
-                }
-            }
-        }
     }
 }

@@ -3,6 +3,7 @@
 mod boxes;
 pub(crate) mod kernel;
 pub(crate) mod moment;
+pub(crate) mod offset;
 pub(super) mod ray;
 pub(super) mod segments;
 

@@ -3,6 +3,7 @@
 //! Moments that are not fractions of integers are lower bounds in parts of 2^30, never late.
 
 use super::kernel::{Course, Moment};
+use super::offset::offset;
 use crate::num::{
     Axis, LONG, Raw, SPLIT, Toi, add128, cmp_squares, dot, fraction, imul, leading_zeros64, less128, mul64,
     root128_down, root128_up, sqr_signed, sqr64, sub128, umul, usqr,
@@ -173,7 +174,7 @@ pub(crate) fn is_below(height: u64, reach: (u64, u64)) -> bool {
 pub(crate) fn meets_beyond(m: Raw, d: Raw, dir: Axis, at_end: bool, r: i32) -> bool {
     match pass_end(m, d, dir, at_end) {
         Pass::Never(beyond) => beyond,
-        Pass::At { cross, du } => passes_in_time(cross, du, dir.length_squared(), r),
+        Pass::At { cross, du } => is_in_time(offset(cross, dir, r, du), du),
     }
 }
 
@@ -214,19 +215,14 @@ pub(super) fn pass(u: i64, du: i64, cross: impl FnOnce() -> i64) -> Pass {
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn passes_in_time(cross: i64, du: i64, len2: u64, r: i32) -> bool {
-    let order = cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r as u32)));
-    // s <= T on the way to the face, else T <= s.
-    if du > 0 { order.is_ge() } else { order.is_le() }
+    is_in_time(cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r as u32))), du)
 }
 
-/// Compares the distance from a point at the moment when a motion passes it squarely,
-/// `|cross| |dir| / |du|`, with the radius.
-///
-/// |cross| is below 2^60, the square of |dir| below 2^61: exact in 192 bits.
-pub(crate) fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
-    let (a, p) = (cross.unsigned_abs(), dir.length_squared());
-    let (b, q) = (du.unsigned_abs(), usqr(r.unsigned_abs()));
-    cmp_squares((a, p), (b, q))
+/// [`passes_in_time`] by the order of the height at s and the radius: s <= T on the way to the
+/// face, else T <= s.
+#[inline]
+fn is_in_time(order: Ordering, du: i64) -> bool {
+    if du > 0 { order.is_ge() } else { order.is_le() }
 }
 
 /// A motion that enters a disc around the origin: what its moment is computed from.
