@@ -183,6 +183,8 @@ fn tangent_of<W: World, B: Body>(body: &B, n: Axis, feature: &Feature) -> Option
 /// The time after a hit: `toi` is the time before it, rounded down. The result is rounded down,
 /// too.
 fn after(toi: Toi, entry: &Entry) -> Toi {
-    let part = u32::from(umul(toi.raw(), entry.den) != umul(Toi::ONE.raw(), entry.num));
+    // The time of a corner or an arc is in parts of 2^30 already.
+    let is_exact = entry.den == Toi::ONE.raw() || umul(toi.raw(), entry.den) == umul(Toi::ONE.raw(), entry.num);
+    let part = u32::from(!is_exact);
     Toi::clamped(Toi::ONE.raw().wrapping_sub(toi.raw()).wrapping_sub(part))
 }

@@ -1,7 +1,7 @@
 //! A line that solid touches and does not cross.
 
 use super::cell::Cell;
-use crate::num::{Axis, Raw, umul};
+use crate::num::{Axis, LONG, Raw, umul};
 
 /// A line that the solid of a cell touches and does not cross. Its front is where `n . (x - at)`
 /// is above `reach`.
@@ -33,6 +33,9 @@ impl Tangent {
 
     /// Whether a point is not in front of the line.
     pub(super) fn has_behind(&self, p: Raw) -> bool {
-        self.normal.dot_vec(p.sub(self.at).vec2()) <= self.reach
+        let (way, n) = (p.sub(self.at), self.normal);
+        // Mostly it is behind along x and along y, and needs no product.
+        let is_back = |way: i32, n: i32| way == 0 || (way ^ n) < 0;
+        (!LONG && is_back(way.x, n.x) && is_back(way.y, n.y)) || n.dot_vec(way.vec2()) <= self.reach
     }
 }
