@@ -1,9 +1,9 @@
 //! Directions: two integers, always exact, or a vector of length one; and vectors of a given
 //! length, rounded to the nearest lattice point.
 
-use super::inverse_root::{InverseRoot, div_root};
+use super::inverse_root::InverseRoot;
 use super::quotient::{leading_zeros32, rsqrt};
-use super::{Fx, LONG, Raw, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
+use super::{Fx, Raw, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
 use core::ops::Neg;
 use fixed::types::I2F30;
 
@@ -233,7 +233,7 @@ impl UnitVec2 {
     /// To the right.
     pub const X: Self = Self::from_raw(1 << 30, 0);
 
-    const fn from_raw(x: i32, y: i32) -> Self {
+    pub(super) const fn from_raw(x: i32, y: i32) -> Self {
         Self { x: I2F30::from_bits(x), y: I2F30::from_bits(y) }
     }
 
@@ -373,27 +373,6 @@ pub(super) const fn unit_nearest(axis: Axis) -> UnitVec2 {
 pub(crate) const fn unit_by(axis: Axis, inverse: InverseRoot) -> UnitVec2 {
     let factor = (inverse.y as i64) << (inverse.half.wrapping_sub(1) & 63);
     UnitVec2::from_raw(nearest_by(axis.x as i64, factor), nearest_by(axis.y as i64, factor))
-}
-
-/// [`div_sqrt`] by the length of an axis, and the axis' unit vector. For an axis that is not along
-/// x or y, and has an opposite.
-///
-/// On chips both come from one reciprocal root. A component shifted by `half` is below 2^32,
-/// because it is at most the length. [`normalise`] shifts it by as much or by one less, and rounds
-/// off as many bits less.
-#[inline]
-pub(crate) fn div_length(s: u64, axis: Axis) -> (u32, UnitVec2) {
-    let n = axis.length_squared();
-    if LONG {
-        return (div_sqrt(s, n), unit_nearest(axis));
-    }
-    let (q, inverse) = div_root(s, n);
-    let nearest = |c: i32| {
-        let size = (umul(c.unsigned_abs() << (inverse.half & 31), inverse.y as u32) >> 32) as u32;
-        let size = (size.wrapping_add(1) >> 1) as i32;
-        if c < 0 { size.wrapping_neg() } else { size }
-    };
-    (q, UnitVec2::from_raw(nearest(axis.x), nearest(axis.y)))
 }
 
 #[inline(always)]

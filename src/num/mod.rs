@@ -20,6 +20,7 @@
 //! computes with raw integers and never looks at the binary point. So you can pass numbers of
 //! another fixed-point format by their bits: [`Vec2::from_raw`].
 
+mod by_length;
 mod direction;
 mod domain;
 mod geometry;
@@ -35,8 +36,9 @@ mod turns;
 mod vec2;
 mod wide;
 
+pub(crate) use by_length::div_length;
 pub use direction::{Axis, UnitVec2};
-pub(crate) use direction::{div_length, on_circle, scaled, toward, unit_by, unit_ceil};
+pub(crate) use direction::{on_circle, scaled, toward, unit_by, unit_ceil};
 pub use domain::{DOMAIN, MOTION};
 pub(crate) use domain::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use inverse_root::InverseRoot;
