@@ -1,7 +1,7 @@
 //! A quotient by the length of an axis, and the direction of the axis.
 
 use super::direction::unit_nearest;
-use super::inverse_root::{div_root, div_sqrt};
+use super::inverse_root::{div_sqrt, div_sqrt_closely, near_quotient};
 use super::{Axis, LONG, UnitVec2, umul};
 
 /// [`div_sqrt`] by the length of an axis, and the axis' unit vector. For an axis that is not along
@@ -16,11 +16,11 @@ pub(crate) fn div_length(s: u64, axis: Axis) -> (u32, UnitVec2) {
     if LONG {
         return (div_sqrt(s, n), unit_nearest(axis));
     }
-    let (q, inverse) = div_root(s, n);
+    let (q, is_sure, inverse) = near_quotient(s, n);
     let nearest = |c: i32| {
         let size = (umul(c.unsigned_abs() << (inverse.half & 31), inverse.y as u32) >> 32) as u32;
         let size = (size.wrapping_add(1) >> 1) as i32;
         if c < 0 { size.wrapping_neg() } else { size }
     };
-    (q, UnitVec2::from_raw(nearest(axis.x), nearest(axis.y)))
+    (if is_sure { q } else { div_sqrt_closely(q, s, n) }, UnitVec2::from_raw(nearest(axis.x), nearest(axis.y)))
 }

@@ -119,23 +119,25 @@ const fn settled(mut q: u32, square: (u64, u64), n: u64) -> u32 {
 #[must_use]
 pub const fn div_sqrt(s: u64, n: u64) -> u32 {
     if !LONG {
-        return div_root(s, n).0;
+        let (q, is_sure, _) = near_quotient(s, n);
+        return if is_sure { q } else { div_sqrt_closely(q, s, n) };
     }
     let square = sqr64(s);
     if is_wide(square, n) { u32::MAX } else { InverseRoot::of(n).times_root_of(s, n, square) }
 }
 
-/// [`div_sqrt`] in words, and the inverse root.
+/// The [candidate](InverseRoot::candidate) of [`div_sqrt`], whether it is the answer, and the
+/// inverse root. A separate call: its stack is free again before squares are compared.
 #[inline(never)]
-pub(super) const fn div_root(s: u64, n: u64) -> (u32, InverseRoot) {
+pub(super) const fn near_quotient(s: u64, n: u64) -> (u32, bool, InverseRoot) {
     let inverse = InverseRoot::of(n);
     let (q, is_sure) = inverse.candidate(s);
-    (if is_sure && n != 0 { q } else { div_sqrt_closely(q, s, n) }, inverse)
+    (q, is_sure && n != 0, inverse)
 }
 
 /// [`div_sqrt`] from a candidate that may be short.
 #[inline(never)]
-const fn div_sqrt_closely(q: u32, s: u64, n: u64) -> u32 {
+pub(super) const fn div_sqrt_closely(q: u32, s: u64, n: u64) -> u32 {
     let square = sqr64(s);
     if is_wide(square, n) {
         return u32::MAX;
