@@ -1,5 +1,5 @@
-//! A way on from a position: a velocity, or its projection on a surface that the body touches, and
-//! how far it leads before a surface binds it.
+//! A way on from a position: a velocity, or its projection on a surface that the body touches. It
+//! knows how far it leads before a surface binds it.
 
 use super::body::{Body, Entry, by_size};
 use super::contact::{Bend, Plane, touched};

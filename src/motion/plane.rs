@@ -119,9 +119,9 @@ pub(super) fn tangent(speed: u32, n: Axis, against: bool) -> Raw {
 
 /// The [`tangential`] speed, and the [`tangent`] at that speed.
 ///
-/// Both need the reciprocal of the normal's length, which is computed once. With that, and without
-/// a test of the result, a circle among all shapes takes 4 019 instructions in place of 4 117 on a
-/// Cortex-M0, for motions of up to 30 units.
+/// Both need the reciprocal of the normal's length, which is computed once. The result needs no
+/// test. For motions of up to 30 units, a circle among all shapes takes 98 instructions less on a
+/// Cortex-M0, of 4 117.
 #[inline(never)]
 fn speed_along(along: i64, n: Axis) -> (u32, Raw) {
     let against = along < 0;
@@ -135,8 +135,8 @@ fn speed_along(along: i64, n: Axis) -> (u32, Raw) {
 
 /// [`tangent`] for a normal that is not along x or y.
 ///
-/// No longer than `speed`: each component is at most one raw unit more than `safe` times that of
-/// the tangent, and the errors of the unit vector are at most 5 parts in 2^30 of the speed.
+/// No longer than `speed`. Each component is at most one raw unit more than `safe` times that of
+/// the tangent. The errors of the unit vector are at most 5 parts in 2^30 of the speed.
 #[inline(never)]
 fn rounded_along(speed: u32, n: Axis, unit: UnitVec2, against: bool) -> Raw {
     // Less two raw for the roundings below, and less the error of the unit vector: 2 parts in 2^30
