@@ -2,7 +2,7 @@
 //! knows how far it leads before a surface binds it.
 
 use super::body::{Body, Entry, by_size};
-use super::contact::{Bend, Plane, touched};
+use super::contact::{Bend, Plane, stays_over, touched};
 use super::plane::{FAR, NEAR, across, into, way};
 use crate::num::{Axis, Raw, cmp_squares, mul_div, umul};
 use crate::world::{Feature, Geometry, World, normal};
@@ -57,7 +57,7 @@ impl FreeWay {
     }
 
     /// Binds it if it leads into a feature.
-    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
+    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature, bends: bool) {
         // The gap to a pipe opens with the square of the way. A probe does not show that a way
         // leads into it; the pipe's normal does.
         if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
@@ -76,7 +76,7 @@ impl FreeWay {
         if matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0) {
             return;
         }
-        if W::WIDE && self.enters_a_bend::<W, B>(body, feature) {
+        if bends && self.enters_a_bend::<W, B>(body, feature) {
             self.room = 0;
             return;
         }
@@ -97,7 +97,7 @@ impl FreeWay {
         touched::<W, B>(body, feature, &mut |Plane { normal, bend }| {
             enters |= bend == Bend::Flat && along.dot(normal) > 0 && into(self.probe, normal) < 0;
         });
-        enters
+        enters && stays_over(body, feature, self.probe)
     }
 
     /// The length of its part of a velocity, before rounding: `along / |normal|`. Computed when

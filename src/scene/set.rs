@@ -91,18 +91,18 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 88 365 | 5 960 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 101 259 | 6 256 | 3 656 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 129 685 | 6 256 | 4 408 |
+/// | boxes and circles | 88 493 | 5 960 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 101 451 | 6 256 | 3 656 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 130 161 | 6 256 | 4 408 |
 /// | [`WithCapsules`](super::WithCapsules) |  | 6 224 | 3 792 |
 /// | [`AnyShape`](crate::shape::AnyShape) |  | 7 112 | 4 784 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 211 766 |
-/// | fly and land, at most | 391 195 |
-/// | lie in nooks of slopes, none may sleep | 843 400 |
-/// | the same, if the scene [remembers](Self::remembering) | 55 879 |
+/// | fly and land, mean | 207 148 |
+/// | fly and land, at most | 379 287 |
+/// | lie in nooks of slopes, none may sleep | 823 182 |
+/// | the same, if the scene [remembers](Self::remembering) | 55 883 |
 /// | sleep | 58 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]

@@ -2,6 +2,7 @@
 
 #![cfg(not(target_os = "none"))]
 
+mod alive_bends;
 mod alive_corridors;
 mod alive_cuts;
 mod alive_graph;
