@@ -66,17 +66,19 @@ fn is_near<B: Body>(body: &B, a: Raw, b: Raw, straight: bool) -> bool {
     is_within(body, a, b, REACH, straight)
 }
 
-/// Whether a body that touches a feature stays over it on a way, if it is a face.
+/// Whether a body that touches a feature is not past its end on a way, if it is a face. It is then
+/// over the face also twice the rounding distance ahead.
 pub(super) fn stays_over<B: Body>(body: &B, feature: &Feature, way: Raw) -> bool {
     let Geometry::Face { a, dir, len, .. } = feature.geometry else { return true };
     let (a, end) = ends(Raw::of(a), dir, len);
-    is_over(body, a, end, dir, way)
+    let far = along(dir, way).signum() as i32 * 2 * REACH;
+    let ahead = Raw { x: dir.x.signum().wrapping_mul(far), y: dir.y.signum().wrapping_mul(far) };
+    is_over(&body.shifted(ahead), a, end, dir)
 }
 
-/// Whether the part of a body nearest to a face is over the face. It may be beside it by at most 1
-/// to 1.5 times the rounding distance. A body farther aside can only touch the face's end. Where a
-/// way leads to an end, it must be that far before the end.
-fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis, way: Raw) -> bool {
+/// Whether the part of a rounded body nearest to a face is over the face. It may be beside it by at
+/// most 1 to 1.5 times the rounding distance. A body farther aside can only touch the face's end.
+fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis) -> bool {
     // For a face along x or y all of the core may be nearest, for a slope one end.
     let (first, last) = if dir.x == 0 || dir.y == 0 {
         (body.toward(dir.reversed()).0, body.toward(dir).0)
@@ -84,11 +86,9 @@ fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis, way: Raw) -> bool {
         let (nearest, _) = body.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
         (nearest, nearest)
     };
+    let along = |v: Raw| dir.dot(Axis::new(v.x, v.y));
     let aside = umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64;
-    let ahead = along(dir, way);
-    let least = if ahead < 0 { aside } else { -aside };
-    let most = if ahead > 0 { -aside } else { aside };
-    along(dir, last.sub(a)) >= least && along(dir, first.sub(end)) <= most
+    along(last.sub(a)) >= -aside && along(first.sub(end)) <= aside
 }
 
 /// Whether a point is in the closed disc around the origin.
@@ -129,7 +129,7 @@ fn touched_straight<B: Body>(body: &B, feature: &Feature, straight: bool, plane:
             let (a, end) = ends(Raw::of(a), dir, len);
             let near = is_near(body, a, end, straight);
             if near {
-                let over = !B::MEETS_CORNERS || is_over(body, a, end, dir, Raw::ZERO);
+                let over = !B::MEETS_CORNERS || is_over(body, a, end, dir);
                 let bend = if over { Bend::Flat } else { Bend::End };
                 plane(Plane { normal: normal(dir), bend });
             }

@@ -76,7 +76,7 @@ impl FreeWay {
         if matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0) {
             return;
         }
-        if bends && self.enters_a_bend::<W, B>(body, feature) {
+        if W::WIDE && bends && self.enters_a_bend::<W, B>(body, feature) {
             self.room = 0;
             return;
         }

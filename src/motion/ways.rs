@@ -193,7 +193,7 @@ impl Ways {
     /// Finds out how far some of the ways lead, unless that is already known.
     #[inline(never)]
     fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
-        let bends = W::WIDE && !self.list.is_full();
+        let bends = !self.list.is_full();
         let Some(ways) = self.list.get_mut(which) else { return };
         let mut any = false;
         for way in ways.iter_mut().filter(|way| !way.is_settled()) {
