@@ -73,7 +73,7 @@ fn slight_bends_stop_nothing() {
         let (goes, all) = runs(step, cases(130));
         assert_eq!(goes, all);
     }
-    // Here some boxes are near more faces than the list of ways holds, and the steepest is left out.
+    // Here some boxes are near more faces than the list of ways holds. It leaves out the steepest.
     let (goes, all) = runs(UNIT / 8, cases(400));
     assert!(5 * goes > 4 * all, "{goes} of {all}");
 }
