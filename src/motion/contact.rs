@@ -6,7 +6,6 @@ use super::plane::{NEAR, Pipe, across, into, tangential};
 use super::search::hull;
 pub(super) use super::touched_plane::{Bend, Plane};
 use crate::num::{Axis, Raw, isqrt64, umul, usqr};
-use crate::query::cast::side::along;
 use crate::query::meet;
 use crate::shape::Aabb;
 use crate::world::{Feature, Geometry, World, corners_of, ends, normal};
@@ -64,16 +63,6 @@ fn is_within<B: Body>(body: &B, a: Raw, b: Raw, distance: i32, straight: bool) -
 /// face is cut.
 fn is_near<B: Body>(body: &B, a: Raw, b: Raw, straight: bool) -> bool {
     is_within(body, a, b, REACH, straight)
-}
-
-/// Whether a body that touches a feature is not past its end on a way, if it is a face. It is then
-/// over the face also twice the rounding distance ahead.
-pub(super) fn stays_over<B: Body>(body: &B, feature: &Feature, way: Raw) -> bool {
-    let Geometry::Face { a, dir, len, .. } = feature.geometry else { return true };
-    let (a, end) = ends(Raw::of(a), dir, len);
-    let far = along(dir, way).signum() as i32 * 2 * REACH;
-    let ahead = Raw { x: dir.x.signum().wrapping_mul(far), y: dir.y.signum().wrapping_mul(far) };
-    is_over(&body.shifted(ahead), a, end, dir)
 }
 
 /// Whether the part of a rounded body nearest to a face is over the face. It may be beside it by at

@@ -2,7 +2,7 @@
 //! knows how far it leads before a surface binds it.
 
 use super::body::{Body, Entry, by_size};
-use super::contact::{Bend, Plane, stays_over, touched};
+use super::contact::{Plane, touched};
 use super::plane::{FAR, NEAR, across, into, way};
 use crate::num::{Axis, Raw, cmp_squares, mul_div, umul};
 use crate::world::{Feature, Geometry, World, normal};
@@ -57,7 +57,7 @@ impl FreeWay {
     }
 
     /// Binds it if it leads into a feature.
-    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature, bends: bool) {
+    pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
         // The gap to a pipe opens with the square of the way. A probe does not show that a way
         // leads into it; the pipe's normal does.
         if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
@@ -76,28 +76,10 @@ impl FreeWay {
         if matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0) {
             return;
         }
-        if W::WIDE && bends && self.enters_a_bend::<W, B>(body, feature) {
-            self.room = 0;
-            return;
-        }
         let Some(entry) = &body.sweep_in::<W>(self.probe, feature) else { return };
         if let Some(room) = room_to(self.probe, entry) {
             self.room = self.room.min(room);
         }
-    }
-
-    /// Whether it is along a face and leads into a second one that faces the same side and that the
-    /// body touches.
-    ///
-    /// A probe does not show that if the faces differ by little: it meets the second one beyond
-    /// [`FAR`]. In a V of such faces a body would sway for ever, because each leaves it free.
-    fn enters_a_bend<W: World, B: Body>(&self, body: &B, feature: &Feature) -> bool {
-        let Some(Plane { normal: along, bend: Bend::Flat | Bend::End }) = self.along else { return false };
-        let mut enters = false;
-        touched::<W, B>(body, feature, &mut |Plane { normal, bend }| {
-            enters |= bend == Bend::Flat && along.dot(normal) > 0 && into(self.probe, normal) < 0;
-        });
-        enters && stays_over(body, feature, self.probe)
     }
 
     /// The length of its part of a velocity, before rounding: `along / |normal|`. Computed when

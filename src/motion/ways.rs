@@ -193,7 +193,6 @@ impl Ways {
     /// Finds out how far some of the ways lead, unless that is already known.
     #[inline(never)]
     fn settle<W: World, B: Body>(&mut self, world: &W, body: &B, passes: bool, which: Range<usize>) {
-        let bends = !self.list.is_full();
         let Some(ways) = self.list.get_mut(which) else { return };
         let mut any = false;
         for way in ways.iter_mut().filter(|way| !way.is_settled()) {
@@ -203,7 +202,7 @@ impl Ways {
         if any {
             self.near.each(world, body, passes, &mut |feature| {
                 for way in ways.iter_mut() {
-                    way.bind_by::<W, B>(body, feature, bends);
+                    way.bind_by::<W, B>(body, feature);
                 }
             });
         }

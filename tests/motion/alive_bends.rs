@@ -1,7 +1,6 @@
 //! Polygons of slight bends: what fits goes through (L1, L3).
 //!
-//! The faces of such a floor are nearly one, and a wide body is near many of them. A way into one
-//! of them is bound, because a body in a V of them shall rest, and none of these may stop it.
+//! The faces of such a floor are nearly one, and a wide body is near many of them.
 
 use tilesat::{Aabb, Axis, Body, Capsule, Circle, Fx, Mover, Path, PathKind, SegmentMap, Vec2};
 use tilesat_judge::{Random, cases};
