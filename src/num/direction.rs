@@ -1,7 +1,6 @@
 //! Directions: two integers, always exact, or a vector of length one; and vectors of a given
 //! length, rounded to the nearest lattice point.
 
-use super::inverse_root::InverseRoot;
 use super::quotient::{leading_zeros32, rsqrt};
 use super::{Fx, Raw, Vec2, div_sqrt, imul, mul_div_wide, umul, usqr};
 use core::ops::Neg;
@@ -359,25 +358,6 @@ pub(super) const fn unit_nearest(axis: Axis) -> UnitVec2 {
     let n = normalise(axis);
     let (x, y) = (n.nearest(n.x) as i32, n.nearest(n.y) as i32);
     UnitVec2::from_raw(if axis.x < 0 { -x } else { x }, if axis.y < 0 { -y } else { y })
-}
-
-/// [`unit_nearest`] by the reciprocal of the axis' length; for components below 2^30, neither of
-/// them zero.
-///
-/// [`normalise`] shifts the components, squares them, and rounds off 32 or 33 bits of the products.
-/// Here they are shifted by one more in the first case, less one in both, and 32 bits are rounded
-/// off. A component is at most the length: the products are at most 2^62 and a rounding error. For
-/// a product below zero, halves are rounded the other way. Only for 2^30, [`rsqrt`] is one less
-/// than this reciprocal: by a quarter of the last place.
-#[inline(always)]
-pub(crate) const fn unit_by(axis: Axis, inverse: InverseRoot) -> UnitVec2 {
-    let factor = (inverse.y as i64) << (inverse.half.wrapping_sub(1) & 63);
-    UnitVec2::from_raw(nearest_by(axis.x as i64, factor), nearest_by(axis.y as i64, factor))
-}
-
-#[inline(always)]
-const fn nearest_by(component: i64, factor: i64) -> i32 {
-    (component.wrapping_mul(factor).wrapping_add((1 << 31) + (component >> 63)) >> 32) as i32
 }
 
 /// The magnitudes of the unit vector in Q30, never below the exact ones and at most 3 units above.

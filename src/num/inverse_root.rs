@@ -71,7 +71,11 @@ impl InverseRoot {
         } else {
             self.candidate(s).0
         };
-        settled(q, square, n)
+        // Most often so. The compiler would enter a loop alone by four more instructions.
+        if less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
+            return q;
+        }
+        settled(q.wrapping_add(1), square, n)
     }
 
     /// A candidate for [`div_sqrt`] of the same number that is not too large, and whether it is
@@ -95,12 +99,8 @@ impl InverseRoot {
 /// The largest whole number, from `q` on, of which the square times `n` is at most `square`.
 #[inline(always)]
 const fn settled(mut q: u32, square: (u64, u64), n: u64) -> u32 {
-    // Most often so. The compiler would enter a loop alone by four more instructions.
-    if !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
+    while !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
         q = q.wrapping_add(1);
-        while !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
-            q = q.wrapping_add(1);
-        }
     }
     q
 }
@@ -142,11 +142,7 @@ pub(super) const fn div_sqrt_closely(q: u32, s: u64, n: u64) -> u32 {
     if is_wide(square, n) {
         return u32::MAX;
     }
-    let mut q = q;
-    while !less128(square, mul64(usqr(q.wrapping_add(1)), n)) {
-        q = q.wrapping_add(1);
-    }
-    q
+    settled(q, square, n)
 }
 
 /// Whether `s / sqrt(n)` is 2^31 or more: s^2 >= 2^62 n.

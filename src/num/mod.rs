@@ -36,9 +36,9 @@ mod turns;
 mod vec2;
 mod wide;
 
-pub(crate) use by_length::div_length;
+pub(crate) use by_length::{div_length, unit_by};
 pub use direction::{Axis, UnitVec2};
-pub(crate) use direction::{on_circle, scaled, toward, unit_by, unit_ceil};
+pub(crate) use direction::{on_circle, scaled, toward, unit_ceil};
 pub use domain::{DOMAIN, MOTION};
 pub(crate) use domain::{check_coordinate, check_length, check_motion, check_radius};
 pub(crate) use inverse_root::InverseRoot;

@@ -59,8 +59,8 @@ mod quotients {
 }
 
 mod unit {
-    use crate::num::by_length::div_length;
-    use crate::num::direction::{Normalised, unit_by, unit_nearest};
+    use crate::num::by_length::{div_length, unit_by};
+    use crate::num::direction::{Normalised, unit_nearest};
     use crate::num::inverse_root::{InverseRoot, div_sqrt};
     use crate::num::quotient::isqrt64;
     use crate::num::{Axis, sqr64};

@@ -180,9 +180,7 @@ fn round_characters_stand_on_any_shape() {
         let led = scene.insert(&SceneBody::led(body, 1)).unwrap();
         let mut hero = SceneCharacter::new(Character::new(body, limits, Feel::DEFAULT), led);
         for _ in 0..60 {
-            let _ = hero.lead(&mut scene, &level, &[], Input::default()).unwrap();
-            scene.step(&level, GRAVITY, |_| {}).unwrap();
-            hero.follow(&scene, &level, &[]).unwrap();
+            frame(&mut scene, &level, &[], &mut hero, Input::default());
         }
         let (at, x) = (hero.character.position().y.to_num::<f64>(), f64::from(beside));
         assert!((at - 60.0 + (81.0 - x * x).sqrt()).abs() < 0.001, "{beside}: {at}");
@@ -199,9 +197,7 @@ fn round_characters_stand_on_any_shape() {
         let mut hero = SceneCharacter::new(Character::new(hero_box, limits, Feel::DEFAULT), led);
         let mut at = Vec::new();
         for _ in 0..90 {
-            let _ = hero.lead(&mut scene, &level, &[], Input::default()).unwrap();
-            scene.step(&level, GRAVITY, |_| {}).unwrap();
-            hero.follow(&scene, &level, &[]).unwrap();
+            frame(&mut scene, &level, &[], &mut hero, Input::default());
             at.push(hero.character.position());
         }
         assert!(at[60..].iter().all(|p| *p == at[60]) && hero.stands_on() == Some(below), "{:?}", at[89]);

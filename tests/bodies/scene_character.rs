@@ -5,10 +5,10 @@ use super::steps::open;
 use core::num::NonZeroU8;
 use tilesat::broad::SortSweep;
 use tilesat::prelude::*;
-use tilesat::scene::{SceneBody, SceneCharacter, SceneTag, SortSweepScene, WithCapsules};
+use tilesat::scene::{BodyShape, SceneBody, SceneCharacter, SceneTag, SortSweepScene, WithCapsules};
 use tilesat::{
-    Aabb, Capsule, Character, Feel, Fx, Input, Joined, Outcome, Scene, Solid, Solids, TileKind, TileKinds, TileMap,
-    Vec2, fx,
+    Aabb, Body, Capsule, Character, Feel, Fx, Input, Joined, Outcome, Scene, Solid, Solids, TileKind, TileKinds,
+    TileMap, Vec2, fx,
 };
 use tilesat_judge::Random;
 
@@ -31,7 +31,13 @@ pub(super) fn hero(room: &mut Room, x: i16, y: i16, mass: u8) -> SceneCharacter 
 }
 
 /// One frame in a level with lifts, which have moved.
-pub(super) fn frame(room: &mut Room, level: &TileMap<'_>, lifts: &[Solid], hero: &mut SceneCharacter, input: Input) {
+pub(super) fn frame<S: BodyShape, B: Body + Into<S>, const N: usize>(
+    room: &mut Scene<SortSweep<N, SceneTag>, N, 0, S>,
+    level: &TileMap<'_>,
+    lifts: &[Solid],
+    hero: &mut SceneCharacter<B>,
+    input: Input,
+) {
     assert_eq!(hero.lead(room, level, lifts, input).unwrap().outcome, Outcome::Moved);
     room.step(&Joined::new(level, &Solids::new(lifts)), GRAVITY, |_| {}).unwrap();
     hero.follow(room, level, lifts).unwrap();

@@ -102,7 +102,7 @@ impl Play {
 
     /// The same, and the twins agree in the first frames.
     fn settles_beside(&self, start: State, frames: u32, twins: u32) -> (u32, State) {
-        let (mut rolls, mut state) = (false, start);
+        let mut state = start;
         for k in 0..frames {
             let next = self.step(state);
             if k < twins {
@@ -111,10 +111,11 @@ impl Play {
             if next == state {
                 return (k, state);
             }
-            (rolls, state) = (next.1 == state.1 && next.1.1 == 0, next);
+            state = next;
         }
         // A ball that rolls on a floor at some raw units per frame meets the wall much later.
-        if rolls {
+        let (_, v) = state;
+        if v.1 == 0 && self.step(state).1 == v {
             return (frames, state);
         }
         let rows: Vec<_> = self.level.tiles.chunks(self.level.width as usize).collect();

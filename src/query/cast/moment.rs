@@ -3,10 +3,10 @@
 //! Moments that are not fractions of integers are lower bounds in parts of 2^30, never late.
 
 use super::kernel::{Course, Moment};
-use super::offset::offset;
+use super::offset::{offset, offset_to_radius};
 use crate::num::{
-    Axis, LONG, Raw, SPLIT, Toi, add128, cmp_squares, dot, fraction, imul, leading_zeros64, less128, mul64,
-    root128_down, root128_up, sqr_signed, sqr64, sub128, umul, usqr,
+    Axis, LONG, Raw, SPLIT, Toi, add128, dot, fraction, imul, leading_zeros64, less128, mul64, root128_down,
+    root128_up, sqr_signed, sqr64, sub128, umul, usqr,
 };
 use crate::query::meet::circle_circle;
 use core::cmp::{Ordering, Reverse};
@@ -215,7 +215,7 @@ pub(super) fn pass(u: i64, du: i64, cross: impl FnOnce() -> i64) -> Pass {
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn passes_in_time(cross: i64, du: i64, len2: u64, r: i32) -> bool {
-    is_in_time(cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r as u32))), du)
+    is_in_time(offset_to_radius(cross, len2, r, du), du)
 }
 
 /// [`passes_in_time`] by the order of the height at s and the radius: s <= T on the way to the

@@ -3,14 +3,14 @@
 use crate::num::{Axis, cmp_squares, umul, usqr};
 use core::cmp::Ordering;
 
-/// Compares the distance from a point at the moment when a motion passes it squarely,
-/// `|cross| |dir| / |du|`, with the radius.
+/// Compares the distance from a point at the moment when a motion passes it squarely, `|cross|
+/// sqrt(len2) / |du|`, with the radius. `len2` is the square of the length of the direction across
+/// which the distance is.
 ///
-/// |cross| is below 2^60, the square of |dir| below 2^61: exact in 192 bits.
-fn offset_to_radius(cross: i64, dir: Axis, r: i32, du: i64) -> Ordering {
-    let (a, p) = (cross.unsigned_abs(), dir.length_squared());
-    let (b, q) = (du.unsigned_abs(), usqr(r.unsigned_abs()));
-    cmp_squares((a, p), (b, q))
+/// |cross| is below 2^60, `len2` below 2^61: exact in 192 bits.
+#[inline]
+pub(super) fn offset_to_radius(cross: i64, len2: u64, r: i32, du: i64) -> Ordering {
+    cmp_squares((cross.unsigned_abs(), len2), (du.unsigned_abs(), usqr(r.unsigned_abs())))
 }
 
 /// As [`offset_to_radius`], but mostly with one product if `|e|` is 1 or the root of 2 or 5. It
@@ -34,7 +34,7 @@ pub(crate) fn offset(cross: i64, e: Axis, r: i32, du: i64) -> Ordering {
             return Ordering::Less;
         }
     }
-    offset_to_radius(cross, e, r, du)
+    offset_to_radius(cross, e.length_squared(), r, du)
 }
 
 #[cfg(test)]
@@ -54,7 +54,7 @@ mod tests {
                     let edge = (f64::from(r) * (du as f64).abs() / length) as i64;
                     let near = (-128..=128).flat_map(|k| [edge + edge / 64 * k, edge + edge / 8192 * k, edge + k]);
                     for cross in near {
-                        let wanted = offset_to_radius(cross, e, r, du);
+                        let wanted = offset_to_radius(cross, e.length_squared(), r, du);
                         assert_eq!(offset(cross, e, r, du), wanted, "{cross} {e:?} {r} {du}");
                     }
                 }
