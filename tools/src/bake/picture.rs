@@ -16,6 +16,8 @@ use crate::picture::surface;
 /// The greatest side of a picture, in output pixels.
 const AIM: f32 = 1600.0;
 const RAYS: u32 = 96;
+/// The side of a picture without cells, in level pixels.
+const BLANK: f32 = 64.0;
 /// Squares along a boundary cell's side that shade the solid. Fewer if there are many cells.
 const FINE: i32 = 16;
 
@@ -27,6 +29,10 @@ pub(crate) fn scene(grids: &[Grid]) -> (Scene, Spot) {
         let (min, max) = (corner(grid.origin()), corner(grid.end()));
         lo = (lo.0.min(min.0), lo.1.min(min.1));
         hi = (hi.0.max(max.0), hi.1.max(max.1));
+    }
+    if grids.is_empty() {
+        // A level without a solid.
+        (lo, hi) = ((0.0, 0.0), (BLANK, BLANK));
     }
     let (width, height) = (hi.0 - lo.0, hi.1 - lo.1);
     let fits = |scale: &&f32| width.max(height) * **scale <= AIM;

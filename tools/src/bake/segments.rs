@@ -146,6 +146,8 @@ fn build(paths: &[Path<'_>], cell: Fx, cells: u64) -> std::result::Result<Vec<u8
         used => used?,
     };
     bytes.truncate(used);
+    // A world has thousands of such maps.
+    bytes.shrink_to_fit();
     // Checks the bytes as a firmware will.
     SegmentMap::from_bytes(&bytes)?;
     Ok(bytes)

@@ -35,10 +35,11 @@ pub(super) fn onto_border(points: &mut Vec<Spot>, closed: bool, (lo, hi): (Spot,
 /// Takes the new corners, without those that have come to lie on the one before. Returns how many
 /// moved: none, if the new ones are no sound form.
 fn exchange(points: &mut Vec<Spot>, mut new: Vec<Spot>, closed: bool) -> u32 {
-    let moved = points.iter().zip(&new).filter(|(old, new)| old != new).count();
-    if moved == 0 {
+    if *points == new {
         return 0;
     }
+    // Without those that stay at their raw point.
+    let moved = raw(points).iter().zip(raw(&new)).filter(|(old, new)| **old != *new).count();
     new.dedup();
     if closed && new.len() > 1 && new.first() == new.last() {
         new.pop();

@@ -245,3 +245,16 @@ fn links_and_modes_stay() {
     symlink("self.rs", home.join("self.rs")).unwrap();
     assert_eq!(bake(&[&level, Path::new("-o"), &home.join("self.rs")]).status, 2);
 }
+
+/// A level without a solid has a picture, too: it must not stop the others.
+#[test]
+fn a_picture_of_an_empty_level() {
+    let level = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/ldtk/empty_level.ldtk");
+    let home = folder("outputs").join("empty");
+    fs::create_dir_all(&home).unwrap();
+    let ran = bake(&[&level, Path::new("--picture"), &home.join("p.png")]);
+    assert_eq!(ran.status, 0, "{ran:?}");
+    for name in ["p.a.png", "p.title.png"] {
+        assert!(fs::read(home.join(name)).unwrap().starts_with(b"\x89PNG"), "{name}");
+    }
+}

@@ -244,3 +244,22 @@ fn the_option() {
     let ran = run("lint", &file, "");
     assert!(ran.status == 2 && ran.err.contains("tilesat.toml: weld: needs pixels from 0 to 1, got x"), "{ran:?}");
 }
+
+/// The corners of whole cells are where they should be, whatever their grid.
+#[test]
+fn corners_that_stay_are_not_counted() {
+    let layer = |side: u32, cells: &str| {
+        let (width, height) = (64 / side, 48 / side);
+        format!(
+            r#"{{"__type":"IntGrid","__identifier":"Solid{side}","__cWid":{width},"__cHei":{height},"__gridSize":{side},"layerDefUid":2,"intGridCsv":[{cells}]}}"#
+        )
+    };
+    let small = ["0,".repeat(40), "1,".repeat(7), "1".to_owned()].concat();
+    let text = format!(
+        r#"{{"defs":{{"layers":[{{"uid":2}}]}},"levels":[{{"identifier":"One","layerInstances":[{},{}]}}]}}"#,
+        layer(8, &small),
+        layer(16, "0,0,0,0,0,1,1,0,1,1,1,1")
+    );
+    let ran = run("bake", scratch("weld", "grids.ldtk", text), "--json");
+    assert!(ran.status == 0 && !ran.out.contains("welded"), "{ran:?}");
+}
