@@ -116,8 +116,8 @@ fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String
         names.extend([tile.class.as_str()].into_iter().chain(tile.properties.marks()).chain(tile.properties.ones()));
     }
     for placed in levels.maps.iter().flat_map(|map| &map.palette) {
-        if let Placed::Value { name: Some(name), .. } = placed {
-            names.push(name);
+        if let Placed::Value { name, group, .. } = placed {
+            names.extend([name, group].into_iter().flatten().map(String::as_str));
         }
     }
     for layer in all() {

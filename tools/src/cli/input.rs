@@ -43,8 +43,8 @@ A tile is solid by the first of these rules that applies:
      beside a layer of solid objects, nor any layer on which the solid objects lie, nor
      one with a word such as background, bg, deco or fake. Values of an LDtk IntGrid
      follow these words too, also dirt, stone, rock, brick, earth, and names of shapes,
-     with flags: SlopeTopLeft_Ice. Values without an identifier follow the rules c and d
-     of their layer
+     with flags: SlopeTopLeft_Ice. If the name of a value says nothing, that of its group
+     counts. Other values without an identifier follow the rules c and d of their layer
 Words for one-way are one way, semi solid, solid top, jump through, jump thru, pass
 through and drop through, in any case, together or apart: OneWayPlatform, semi-solid.
 One way says more than solid. Rule d looks for objects in the same way, with the names
@@ -75,7 +75,7 @@ up. These options come first:
   --weld PX             move corners of tiles' collision shapes by up to this, from 0 to 1,
                         onto their tile's border and onto neighbours' corners (default: 0.25)
 The NAME of a tile is its class, a true property, PROPERTY:VALUE, TILESET:ID, or an
-IntGrid value (its identifier, its number, or LAYER:NUMBER), in any case. A file
+IntGrid value (its identifier, its group, its number, or LAYER:NUMBER), in any case. A file
 tilesat.toml beside the level sets the same for all levels there: solid = [\"Grass\", \"Ramp=slope-bottom-left\"],
 one-way, empty, flag, solid-layer, one-way-layer, ignore-layer, no-guess, objects, ignore-level
 (lists), scale = \"1/2\", weld = \"0.25\".

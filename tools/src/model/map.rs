@@ -78,6 +78,8 @@ pub enum Placed {
         layer: String,
         number: i64,
         name: Option<String>,
+        /// The name of its group.
+        group: Option<String>,
     },
 }
 

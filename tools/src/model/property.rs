@@ -13,6 +13,9 @@ pub enum Value {
     Lost(String),
 }
 
+/// The name of the text that a tile of `LDtk` can have.
+pub(crate) const CUSTOM_DATA: &str = "custom data";
+
 /// The reasons.
 pub(crate) const CLASS: &str = "a class: make its members properties of the object";
 pub(crate) const LIST: &str = "a list: make its values properties of the object";
@@ -64,6 +67,15 @@ impl From<&serde_json::Value> for Value {
 pub struct Properties(pub Vec<(String, Value)>);
 
 impl Properties {
+    /// The same with a class, as a property of this name.
+    #[must_use]
+    pub(crate) fn with_class(mut self, class: &str) -> Self {
+        if !class.trim().is_empty() {
+            self.0.push(("class".to_owned(), Value::Text(class.to_owned())));
+        }
+        self
+    }
+
     /// The names of the true properties.
     pub fn marks(&self) -> impl Iterator<Item = &str> {
         self.0.iter().filter(|(_, value)| value.is_true()).map(|(name, _)| name.as_str())

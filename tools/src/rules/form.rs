@@ -56,6 +56,12 @@ pub(super) fn has_extent(object: &Object) -> bool {
     }
 }
 
+/// Whether an object or a shape has a number that is too large to be meant. See
+/// [`Decimal::saturated`].
+pub(super) fn is_far(object: &Object) -> bool {
+    [object.at.0, object.at.1, object.size.0, object.size.1].into_iter().any(Decimal::is_far)
+}
+
 /// Points from the corner of a tile's picture, at their positions in the layer.
 pub(super) fn of_picture(object: &Object, stamp: &Stamp, points: &[Spot]) -> Vec<Spot> {
     let along = |halves: u32, side: Decimal, offset: Decimal| offset - side.scaled(halves, 2);

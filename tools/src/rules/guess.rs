@@ -9,7 +9,8 @@ use super::layers::Layers;
 use super::options::{Options, listed};
 use super::outline::Outline;
 use super::report::Rule;
-use super::verdict::{self, Solid};
+use super::value::Value;
+use super::verdict::Solid;
 use super::words::{self, GROUND_ABROAD, GUESS, LAST, WALLS_ABROAD};
 use super::{marked, stood_on};
 use crate::model::map::{Layer, Map, Placed};
@@ -78,16 +79,11 @@ impl Layers<'_> {
             if sheet.pieces.contains_key(&entry) {
                 continue;
             }
-            if let Placed::Value { number, name, .. } = &self.map.palette[entry as usize] {
-                let known = verdict::names_of_value(&layer.name, *number, name.as_deref());
-                let fits = match name.as_deref() {
-                    None => says,
-                    Some(name) => words::has(name, list),
-                };
-                if !fits || known.iter().any(|name| self.options.is_flag(name)) {
+            if let Some(value) = Value::of(&self.map.palette[entry as usize]) {
+                if !value.fits(list, says) || value.names().iter().any(|name| self.options.is_flag(name)) {
                     continue;
                 }
-                values.all.push((*number, name.as_deref()));
+                values.all.push((value.number, value.name));
             } else if !says || marked::is_free(self.map, entry, self.options) {
                 continue;
             }
@@ -208,9 +204,8 @@ fn undecided<'a>(map: &'a Map, sheets: &[Sheet<'a>], options: &Options) -> Vec<V
         let mut values = Values::of(sheet.layer);
         for (entry, _) in &sheet.used {
             let is_decided = sheet.pieces.contains_key(entry) || sheet.flags.contains_key(entry);
-            if let (Placed::Value { number, name: None, .. }, false) = (&map.palette[*entry as usize], is_decided) {
-                values.all.push((*number, None));
-            }
+            let value = Value::of(&map.palette[*entry as usize]).filter(|value| value.name.is_none() && !is_decided);
+            values.all.extend(value.filter(|value| !value.is_free()).map(|value| (value.number, None)));
         }
         values
     };

@@ -15,6 +15,7 @@ use super::outline::{LeftOut, Outline};
 use super::piece::{self, Piece};
 use super::place::Unit;
 use super::report::{Ledger, Rule};
+use super::value::Value;
 use super::verdict::{self, Meaning, Solid, Verdict};
 use super::words::{self, COLLISION};
 use crate::model::map::{Content, Layer, Map, Placed, Tiles};
@@ -130,11 +131,9 @@ impl<'a> Layers<'a> {
 
     /// Whether the name of its layer decides about a value: its own name says nothing else.
     fn follows(&self, entry: u32, meaning: &Meaning) -> bool {
-        let Placed::Value { layer, number, name } = &self.map.palette[entry as usize] else { return true };
-        let known = verdict::names_of_value(layer, *number, name.as_deref());
-        meaning.verdict.is_none()
-            && !known.iter().any(|name| self.options.is_flag(name))
-            && !name.as_deref().is_some_and(words::is_free)
+        let Some(value) = Value::of(&self.map.palette[entry as usize]) else { return true };
+        let known = value.names();
+        meaning.verdict.is_none() && !known.iter().any(|name| self.options.is_flag(name)) && !value.is_free()
     }
 
     /// Gives an entry of a layer its solid.

@@ -89,7 +89,7 @@ impl Layers<'_> {
             }
             let is = |name: &str| words::has(name, &["slope", "ramp"]) && !self.options.names(name);
             let note = match &self.map.palette[*entry as usize] {
-                Placed::Value { layer, number, name: Some(name) } if is(name) => Some(format!(
+                Placed::Value { layer, number, name: Some(name), .. } if is(name) => Some(format!(
                     "GUESS: value {number} '{name}' of layer '{layer}' is no slope; --solid \
                      '{layer}:{number}=slope-bottom-left' makes it one"
                 )),

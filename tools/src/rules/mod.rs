@@ -35,6 +35,7 @@ mod traits;
 pub(crate) mod union;
 mod unread;
 mod unused;
+mod value;
 mod verdict;
 mod weld;
 mod words;

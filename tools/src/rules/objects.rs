@@ -121,6 +121,9 @@ pub(super) fn outlines(
         Drawn { outline, error: corners.error, torn }
     };
     let is_far = corners.points.iter().any(|(x, y)| x.is_far() || y.is_far());
+    if is_far && options.rooms {
+        return Err(format!("object {}: it is a million pixels away or wide: move it, or make it smaller", object.id));
+    }
     let drawn: Vec<Drawn> = formed(map, object, kind, corners, shapes).into_iter().map(outline).collect();
     // Numbers end a million pixels away. What is there has lost its form, and is refused.
     let why =

@@ -1,9 +1,9 @@
 //! The area that a tile as an object fills.
 #![allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^53")]
 
-use super::flat;
 use super::knots::{self, Knot};
 use super::piece::{Frame, Path, drawn};
+use super::{flat, form};
 use crate::geometry::{Meeting, crossing};
 use crate::model::decimal::Decimal;
 use crate::model::object::{Spot, Stamp, raw};
@@ -24,6 +24,9 @@ pub(super) fn shapes(set: &Tileset, stamp: &Stamp, size: Spot) -> Result<Vec<Pat
         _ => v,
     };
     let shapes = set.tiles.get(&stamp.id).map(|tile| tile.shapes.as_slice()).unwrap_or_default();
+    if shapes.iter().any(form::is_far) {
+        return Err(format!("a collision shape of its tile {} is a million pixels away or wide", stamp.id));
+    }
     let mut paths: Vec<Path> =
         shapes.iter().flat_map(|shape| drawn(shape, own, stamp.flip, Frame::new(across, down))).collect();
     let (from, to) = picture(set, stamp, size);

@@ -10,7 +10,7 @@ use super::{kind::Kind, marked, traits, words};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Layer, Map, Placed};
 use crate::model::object::{Form, Object};
-use crate::model::property::Value;
+use crate::model::property::{CUSTOM_DATA, Value};
 use crate::model::tileset::Tileset;
 
 /// The most names of a line.
@@ -46,14 +46,20 @@ pub(super) fn lines(map: &Map, options: &Options, outlines: &[Outline], left_out
         };
         let (what, fix) = if map.values { ("tags", "; --flag NAME keeps one") } else { ("properties", "") };
         let owner = format!("of tiles of tileset '{}'", set.name);
-        lines.extend(named(what, &owner, &counted(own.filter(lost))).map(|line| line + fix));
+        let (texts, own): (Vec<_>, Vec<_>) = own.filter(lost).partition(|(name, _)| map.values && name == CUSTOM_DATA);
+        lines.extend(named(what, &owner, &counted(own.into_iter())).map(|line| line + fix));
+        if !texts.is_empty() {
+            let tiles = words::several(texts.len(), "tile");
+            lines.push(format!("the custom data of {tiles} of tileset '{}': no output has it", set.name));
+        }
         lines.extend(of_shapes(set, |id| placed.contains(&(index, id)) || stamped.contains(&(index, id))));
     }
     let solid: Titles<'_> = outlines.iter().map(|outline| key(&outline.title)).collect();
     let listed = left_out.iter().filter(|object| object.is_listed());
     let listed: Titles<'_> = listed.map(|object| key(&object.title)).collect();
     for layer in &map.layers {
-        let own = counted(layer.properties.0.iter().filter(|(name, value)| !is_rule(name, value)));
+        let own = layer.properties.clone().with_class(&layer.class);
+        let own = counted(own.0.iter().filter(|(name, value)| !is_rule(name, value)));
         lines.extend(line(&format!("of layer '{}'", layer.name), &own));
         let Content::Objects(objects) = &layer.content else { continue };
         let among = |titles: &Titles<'_>| -> Vec<&Object> {
@@ -172,11 +178,17 @@ fn is_set(value: &Value) -> bool {
 
 /// Whether a property of a layer, a group or a map says nothing, or what is solid.
 fn is_rule(name: &str, value: &Value) -> bool {
-    let says = words::has(name, COLLISION)
-        || words::has(name, GUESS)
-        || words::has(name, LAST)
-        || Kind::from_name(name).is_some();
-    !is_set(value) || value.is_true() && (says || traits::shape(name).is_some())
+    match value {
+        Value::Text(class) if name == "class" => says(class),
+        _ => !is_set(value) || value.is_true() && says(name),
+    }
+}
+
+/// Whether a name is one of those that make something solid or one-way.
+fn says(name: &str) -> bool {
+    [COLLISION, GUESS, LAST].iter().any(|list| words::has(name, list))
+        || Kind::from_name(name).is_some()
+        || traits::shape(name).is_some()
 }
 
 /// True properties of tiles are flags or rules.

@@ -5,7 +5,8 @@ use tilesat::TileShape;
 use super::marked::{denied, senses};
 use super::options::Options;
 use super::sides::Sides;
-use super::{Rule, form, identifier, names, traits, words};
+use super::value::Value;
+use super::{Rule, form, names, traits, words};
 use crate::model::flip::Flip;
 use crate::model::map::{Map, Placed};
 use crate::model::tileset::{Tile, Tileset};
@@ -52,7 +53,7 @@ pub(super) fn of(map: &Map, placed: &Placed, options: &Options) -> Result<Meanin
             let kept = |flag: &String| !map.values || options.is_flag(flag);
             meaning.map(|meaning| Meaning { flags: meaning.flags.into_iter().filter(kept).collect(), ..meaning })
         }
-        Placed::Value { layer, number, name } => Ok(value(layer, *number, name.as_deref(), options)),
+        Placed::Value { .. } => Ok(Value::of(placed).map(|value| value.meaning(options)).unwrap_or_default()),
     }
 }
 
@@ -110,41 +111,13 @@ fn tile_of(set: &Tileset, id: u32, tile: &Tile, flip: Flip, options: &Options) -
             solid: Solid::Drawn,
         })
     };
+    let by_shapes = verdict.as_ref().is_some_and(|verdict| !matches!(verdict.solid, Solid::Shape(_)));
+    if by_shapes && tile.shapes.iter().any(form::is_far) {
+        return Err("a collision shape is a million pixels away or wide: draw it within the tile".to_owned());
+    }
     Ok(Meaning { verdict, flags })
 }
 
 /// The properties that name a shape.
 const SHAPE: &str = "shape";
 const NPP: &str = "npp";
-
-/// The names by which options know a value.
-pub(super) fn names_of_value(layer: &str, number: i64, name: Option<&str>) -> Vec<String> {
-    let own = name.into_iter().flat_map(|name| [name.to_owned(), format!("{layer}:{name}")]);
-    own.chain([number.to_string(), format!("{layer}:{number}")]).collect()
-}
-
-fn value(layer: &str, number: i64, name: Option<&str>, options: &Options) -> Meaning {
-    let known = names_of_value(layer, number, name);
-    let title = name.map_or_else(|| format!("value {number}"), |name| format!("value '{name}'"));
-    let shaped = |rule, shape, flags| {
-        let verdict = Verdict {
-            rule,
-            what: format!("{title} of layer '{layer}' is {}", names::name(shape)),
-            solid: Solid::Shape(shape),
-        };
-        Meaning { verdict: Some(verdict), flags }
-    };
-    if let Some((_, shape)) = options.shape(&known) {
-        let flags = known.iter().find(|name| options.is_flag(name)).cloned();
-        return shaped(Rule::Option, shape, flags.into_iter().collect());
-    }
-    if let Some(flag) = known.iter().find(|name| options.is_flag(name)) {
-        return Meaning { verdict: None, flags: vec![name.unwrap_or(flag).to_owned()] };
-    }
-    // What a value without an identifier means, its layer decides.
-    let Some(name) = name else { return Meaning::default() };
-    match identifier::meaning(name) {
-        Some((rule, shape, flags)) => shaped(rule, shape, flags),
-        None => Meaning { verdict: None, flags: vec![name.to_owned()] },
-    }
-}

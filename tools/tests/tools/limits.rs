@@ -9,6 +9,9 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use tilesat_tools::read;
+use tilesat_tools::rooms::{self, Cut};
+use tilesat_tools::rules::options::Options;
 
 use crate::support::{self, folder, rows, scratch};
 
@@ -194,4 +197,42 @@ fn one_name_for_all() {
     for name in ["OBJECT_COIN", "OBJECT_COIN_2", "OBJECT_COIN_3000"] {
         assert!(source.contains(&format!("pub const {name}: ")), "{name}");
     }
+}
+
+/// Numbers end at a million pixels. A world of rooms has no domain that would refuse them.
+#[test]
+fn rooms_of_what_is_far_away() {
+    let far = |name: &str, text: String, word: &str| {
+        let start = Instant::now();
+        let ran = support::run("rooms", scratch("limits", name, text), "--room 3x2 -o never.rs");
+        assert!(start.elapsed() < SOON, "{word}: {:?}", start.elapsed());
+        assert!(
+            ran.status == 2 && ran.err.lines().count() == 1 && ran.err.contains(word),
+            "{word:?} is not in {ran:?}"
+        );
+    };
+    let object = |own: &str| support::map(2, 1, "1,1", &format!(r#"<object id="7" {own}/>"#));
+    let of_object = "object 7: it is a million pixels away or wide: move it, or make it smaller";
+    far("far_x.tmx", object(r#"x="1e300" y="0" width="8" height="8""#), of_object);
+    far("far_wide.tmx", object(r#"x="0" y="0" width="1e300" height="8""#), of_object);
+    let shape = |own: &str| {
+        let group = format!("<objectgroup><object {own}><polygon points=\"0,0 16,0 16,16\"/></object></objectgroup>");
+        support::layered(&[("Main", "0,0,0,0,1,1,1,1,0,0,0,0")], &format!(r#"<tile id="0">{group}</tile>"#), "")
+    };
+    let of_shape = "tile 0 of tileset 't': a collision shape is a million pixels away or wide: draw it within the tile";
+    far("far_shape.tmx", shape(r#"x="0" y="-1e308""#), of_shape);
+    let stamp = r#"<objectgroup name="L" class="Solid"><object id="8" gid="1" x="0" y="16" width="16" height="16"/></objectgroup></map>"#;
+    let stamped = shape(r#"x="-2147483648" y="0""#).replace("1,1,1,1", "0,0,0,0").replace("</map>", stamp);
+    far("far_stamp.tmx", stamped, "object 8: a collision shape of its tile 0 is a million pixels away or wide");
+}
+
+/// Thousands of rooms have a map of polygons each.
+#[test]
+fn maps_of_polygons_take_their_own_size() {
+    let text = support::objects(r#"<object id="1" x="0" y="0" width="320" height="8"/>"#);
+    let levels = read::load(&scratch("limits", "long.tmx", text), None).unwrap();
+    let cut = Cut { room: Some((2, 2)), ..Cut::default() };
+    let world = rooms::bake(&levels.maps, &Options::default(), &cut).unwrap();
+    let segments: Vec<&Vec<u8>> = world.rooms.iter().filter_map(|room| room.segments.as_ref()).collect();
+    assert!(segments.len() > 9 && segments.iter().all(|bytes| bytes.capacity() < 2 * bytes.len()), "{segments:?}");
 }

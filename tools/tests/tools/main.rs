@@ -13,6 +13,7 @@ mod damaged;
 mod drawn;
 mod flags;
 mod formats;
+mod groups;
 mod guesses;
 mod hollow;
 mod hostile;

@@ -11,7 +11,7 @@ use std::rc::Rc;
 use super::file::Files;
 use super::{Pick, json};
 use crate::model::map::{Content, Layer, Map, Place, Placed, Tiles};
-use crate::model::property::Value;
+use crate::model::property::{CUSTOM_DATA, Value};
 use crate::model::tileset::{Tile, Tileset};
 use entities::{Ids, fields, object};
 use tiles::{Palette, Set};
@@ -112,6 +112,10 @@ fn tileset(set: &raw::Tileset, folder: &Path) -> Tileset {
             let value = Value::Bool(true);
             tiles.entry(id).or_default().properties.0.push((tag.enum_value_id.clone(), value));
         }
+    }
+    for text in &set.custom_data {
+        let value = Value::Text(text.data.clone());
+        tiles.entry(text.tile_id).or_default().properties.0.push((CUSTOM_DATA.to_owned(), value));
     }
     Tileset {
         name: set.identifier.clone(),
@@ -288,9 +292,14 @@ impl Reader<'_> {
         }
         let mut values = definition.into_iter().flat_map(|definition| &definition.values).zip(1..);
         let named = values.find(|(named, position)| number == if named.value == 0 { *position } else { named.value });
-        let name = named.and_then(|(named, _)| named.identifier.clone()).filter(|name| !name.is_empty());
+        let group = named.filter(|(named, _)| named.group != 0).and_then(|(named, _)| {
+            let groups = definition.into_iter().flat_map(|definition| &definition.groups);
+            groups.into_iter().find(|group| group.uid == named.group)?.identifier.clone()
+        });
+        let name = named.and_then(|(named, _)| named.identifier.clone());
+        let [name, group] = [name, group].map(|name| name.filter(|name| !name.is_empty()));
         let place = palette.all.len() as u32;
-        palette.all.push(Placed::Value { layer: layer.name.clone(), number, name });
+        palette.all.push(Placed::Value { layer: layer.name.clone(), number, name, group });
         palette.values.insert((layer.name.clone(), number), place);
         Ok(place)
     }

@@ -53,6 +53,17 @@ pub(super) struct LayerDefinition {
     pub(super) pivot_y: f64,
     #[serde(rename = "intGridValues", deserialize_with = "lax::given")]
     pub(super) values: Vec<Named>,
+    #[serde(rename = "intGridValuesGroups", deserialize_with = "lax::given")]
+    pub(super) groups: Vec<Group>,
+}
+
+/// A group of values.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Group {
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) uid: i64,
+    pub(super) identifier: Option<String>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -62,6 +73,9 @@ pub(super) struct Named {
     #[serde(deserialize_with = "lax::whole")]
     pub(super) value: i64,
     pub(super) identifier: Option<String>,
+    /// 0 for none.
+    #[serde(rename = "groupUid", deserialize_with = "lax::whole")]
+    pub(super) group: i64,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -84,6 +98,18 @@ pub(super) struct Tileset {
     pub(super) padding: u32,
     #[serde(deserialize_with = "lax::given")]
     pub(super) enum_tags: Vec<EnumTag>,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) custom_data: Vec<CustomData>,
+}
+
+/// A text of a tile.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+pub(super) struct CustomData {
+    #[serde(deserialize_with = "lax::whole")]
+    pub(super) tile_id: u32,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) data: String,
 }
 
 /// Tiles with a value of an enumeration.
