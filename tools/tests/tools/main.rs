@@ -37,6 +37,7 @@ mod oversize;
 mod play;
 mod played;
 mod programs;
+mod reported;
 mod rooms;
 mod search;
 mod shapes;

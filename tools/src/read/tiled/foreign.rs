@@ -43,6 +43,22 @@ pub(in crate::read) fn map(bytes: &[u8]) -> Option<String> {
     }
 }
 
+/// Whether layers of these names are those of a rule of automapping: all of them, and some of its
+/// inputs and outputs.
+pub(super) fn is_rule<'a>(names: impl Iterator<Item = &'a str>) -> bool {
+    let (mut input, mut output) = (false, false);
+    for name in names {
+        let name = name.to_ascii_lowercase();
+        match ["input", "output", "regions", "rule_options", "//"].iter().position(|start| name.starts_with(start)) {
+            Some(0) => input = true,
+            Some(1) => output = true,
+            Some(_) => {}
+            None => return false,
+        }
+    }
+    input && output
+}
+
 /// How programs begin that hold a map: Tiled exports Lua and JavaScript.
 const PROGRAM: [&str; 10] = [
     "return {",

@@ -57,7 +57,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files, projects: &mut Projects) 
     drop(bytes);
     let (tile, grid) = side(&map)?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let properties = vec![("the map".to_owned(), map.properties.0)];
+    let properties = vec![("the map".to_owned(), map.properties.0.with_class(&map.class))];
     let classes = projects.around(folder, files);
     let mut reader = Reader {
         sets: Sets::new((map.tilewidth, map.tileheight), classes),
@@ -86,6 +86,11 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files, projects: &mut Projects) 
             "cells of {}x{} pixels become cells of {tile}x{tile}: each of them is {}x{} of these, and takes a byte for each",
             map.tilewidth, map.tileheight, grid.0, grid.1
         ));
+    }
+    if foreign::is_rule(reader.layers.iter().map(|layer| &*layer.name)) {
+        let what =
+            "its layers are those of a rule of Tiled's automapping, not of a level: give the map that it changes";
+        reader.warnings.push(("the map".to_owned(), what.to_owned()));
     }
     reader.warnings.extend(reader.sets.warnings);
     let read = Map {
@@ -176,7 +181,7 @@ impl Reader<'_> {
                 let own = [&layer.name, &layer.class].into_iter().chain(&marks).filter(|name| !name.is_empty());
                 let says = around.says.iter().chain(own).cloned().collect();
                 let around = Around { offset, hidden, parallax, says };
-                self.properties.push((format!("group '{name}'"), layer.properties.0));
+                self.properties.push((format!("group '{name}'"), layer.properties.0.with_class(&layer.class)));
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
             "tilelayer" => {

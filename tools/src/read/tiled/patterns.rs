@@ -19,7 +19,7 @@ const ENDS: [&str; 4] = ["tmx", "tmj", "json", "xml"];
 /// A map of a world.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-pub(super) struct Listed {
+pub(super) struct Entry {
     pub(super) file_name: String,
     #[serde(deserialize_with = "lax::whole")]
     pub(super) x: i32,
@@ -53,7 +53,7 @@ pub(super) struct Pattern {
 
 /// Adds the maps of a folder that fit a pattern to those that the world lists. A listed map keeps
 /// its position, and so does one of an earlier pattern.
-pub(super) fn add(maps: &mut Vec<Listed>, patterns: &[Pattern], folder: &Path, files: &mut Files) -> Result<()> {
+pub(super) fn add(maps: &mut Vec<Entry>, patterns: &[Pattern], folder: &Path, files: &mut Files) -> Result<()> {
     if patterns.is_empty() {
         return Ok(());
     }
@@ -93,7 +93,7 @@ pub(super) fn add(maps: &mut Vec<Listed>, patterns: &[Pattern], folder: &Path, f
             let (x, y) = (along(1, across, pattern.offset_x)?, along(2, down, pattern.offset_y)?);
             let size = |given: Option<u32>, multiplier: i32| given.or(Some(multiplier.unsigned_abs()));
             let (width, height) = (size(pattern.map_width, across), size(pattern.map_height, down));
-            maps.push(Listed { file_name: name.clone(), x, y, width, height });
+            maps.push(Entry { file_name: name.clone(), x, y, width, height });
         }
         if let [first, rest @ ..] = &others[..] {
             let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };

@@ -98,12 +98,23 @@ impl Classes {
         };
         let classes = project.types.into_iter().filter(|known| known.form == "class");
         let entry = |known: Type| {
-            let members = known.members.into_iter();
-            let members = members.filter(|member| !["class", "object", "list"].contains(&member.form.as_str()));
+            // A reference is to no object, and neither is a value that a class does not give.
+            let members = known.members.into_iter().filter(|member| member.form != "object");
+            let members = members.filter(|member| !is_nothing(&member.value));
             let values = members.map(|member| (member.name, Value::from(&member.value)));
             (known.name, (known.used, Properties(values.collect())))
         };
         Self { all: classes.map(entry).collect(), none: Properties::default() }
+    }
+}
+
+/// Whether a class gives no value: an empty list, or a class without values of its own.
+fn is_nothing(value: &serde_json::Value) -> bool {
+    match value {
+        serde_json::Value::Null => true,
+        serde_json::Value::Array(values) => values.is_empty(),
+        serde_json::Value::Object(members) => members.is_empty(),
+        _ => false,
     }
 }
 

@@ -20,6 +20,8 @@ use crate::read::lax;
 pub(super) struct Map {
     #[serde(deserialize_with = "lax::given")]
     pub(super) orientation: String,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) class: String,
     #[serde(deserialize_with = "lax::whole")]
     pub(super) width: u32,
     #[serde(deserialize_with = "lax::whole")]
@@ -46,6 +48,8 @@ pub(super) struct Tileset {
     pub(super) source: Option<String>,
     #[serde(deserialize_with = "lax::given")]
     pub(super) name: String,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) class: String,
     #[serde(deserialize_with = "lax::whole")]
     pub(super) tilewidth: u32,
     #[serde(deserialize_with = "lax::whole")]

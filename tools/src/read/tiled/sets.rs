@@ -7,6 +7,7 @@ use std::rc::Rc;
 use super::objects::{Templates, alignment, is_flat, is_mirrored, of_tile, shape, with_rest};
 use super::project::Classes;
 use super::{foreign, raw, tags};
+use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
 use crate::model::map::Placed;
 use crate::model::object::{Object, Spot};
@@ -237,7 +238,13 @@ impl Sets {
         for tile in set.tiles.0 {
             let part = tile.part();
             fits(part.size.0, part.size.1)?;
-            let shapes = tile.objectgroup.map_or_else(Vec::new, |group| group.objects);
+            let group = tile.objectgroup.map(|group| *group).unwrap_or_default();
+            if [group.offsetx, group.offsety].iter().any(|by| by.0 != Decimal::ZERO) {
+                let what =
+                    format!("the layer of the collision shapes of tile {} has an offset: Tiled ignores it", tile.id);
+                self.warnings.push((format!("tileset '{name}'"), what));
+            }
+            let shapes = group.objects;
             let shapes = shapes
                 .into_iter()
                 .map(|drawn| self.shape(drawn, (tile.id, &name), folder, files).map_err(&of_set))
@@ -277,7 +284,7 @@ impl Sets {
                 other => return Err(of_set(format!("fillmode '{other}' is unknown"))),
             },
             image: path(set.image),
-            properties: set.properties.0,
+            properties: set.properties.0.with_class(&set.class),
             tiles,
             missing: None,
         })

@@ -12,6 +12,7 @@ pub(super) fn map(bytes: &[u8]) -> Result<Map> {
     let (mut xml, tag) = open(bytes, "map")?;
     let mut map = Map {
         orientation: tag.text("orientation"),
+        class: tag.text("class"),
         width: number(&xml, &tag, "width")?,
         height: number(&xml, &tag, "height")?,
         tilewidth: number(&xml, &tag, "tilewidth")?,
@@ -112,6 +113,7 @@ fn tileset(xml: &mut Xml<'_>, tag: &Tag<'_>) -> Result<Tileset> {
         firstgid: number(xml, tag, "firstgid")?,
         source: tag.get("source").map(str::to_owned),
         name: tag.text("name"),
+        class: tag.text("class"),
         tilewidth: number(xml, tag, "tilewidth")?,
         tileheight: number(xml, tag, "tileheight")?,
         tilecount: count(xml, tag, "tilecount")?,
@@ -189,6 +191,8 @@ fn properties(xml: &mut Xml<'_>) -> Result<Listed> {
         }
         let value = match tag.get("type") {
             Some("bool") => Some(Value::Bool(truth(&text))),
+            // The default of a number.
+            Some("int" | "float") if text.trim().is_empty() => Some(Value::Number("0".to_owned())),
             Some("int" | "float") => Some(Value::Number(text)),
             None | Some("string" | "file" | "color") => Some(Value::Text(text)),
             Some(other) => special(other, &text),

@@ -7,8 +7,9 @@ use std::path::{Component, Path, PathBuf};
 use serde::Deserialize;
 
 use super::data::MAX_CELLS;
-use super::patterns::{self, Listed, Pattern};
+use super::patterns::{self, Entry, Pattern};
 use super::project::Projects;
+use super::raw::Listed;
 use crate::model::map::{Map, Place, Tiles};
 use crate::read::file::Files;
 use crate::read::{Pick, json, lax};
@@ -24,9 +25,11 @@ const MAX_WORLD: u64 = 2 * MAX_CELLS;
 #[serde(default)]
 struct World {
     #[serde(deserialize_with = "lax::given")]
-    maps: Vec<Listed>,
+    maps: Vec<Entry>,
     #[serde(deserialize_with = "lax::given")]
     patterns: Vec<Pattern>,
+    #[serde(deserialize_with = "lax::given")]
+    properties: Listed,
 }
 
 /// All maps of a world, or the one of this name.
@@ -45,7 +48,7 @@ pub(in crate::read) fn read(bytes: &[u8], pick: Pick<'_>, path: &Path, files: &m
     if let Some(wanted) = pick.level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
     }
-    let (mut maps, mut cells, mut projects) = (Vec::new(), 0, Projects::default());
+    let (mut maps, mut cells, mut projects): (Vec<Map>, _, _) = (Vec::new(), 0, Projects::default());
     for (listed, name) in world.maps.iter().zip(names) {
         if !pick.has(&name) {
             continue;
@@ -63,11 +66,14 @@ pub(in crate::read) fn read(bytes: &[u8], pick: Pick<'_>, path: &Path, files: &m
         map.name = name;
         maps.push(map);
     }
+    if let Some(first) = maps.first_mut() {
+        first.properties.push(("the world".to_owned(), world.properties.0));
+    }
     Ok(maps)
 }
 
 /// The name of each file without its extension. With its folder, if another one has the same name.
-fn names(maps: &[Listed]) -> Result<Vec<String>> {
+fn names(maps: &[Entry]) -> Result<Vec<String>> {
     let mut seen: HashSet<PathBuf> = HashSet::new();
     for listed in maps {
         if listed.file_name.is_empty() {
@@ -77,12 +83,12 @@ fn names(maps: &[Listed]) -> Result<Vec<String>> {
             return Err(format!("the world lists the map '{}' twice: remove one", listed.file_name));
         }
     }
-    let stem = |listed: &Listed| Path::new(&listed.file_name).file_stem().unwrap_or_default().to_os_string();
+    let stem = |listed: &Entry| Path::new(&listed.file_name).file_stem().unwrap_or_default().to_os_string();
     let mut counts: HashMap<OsString, usize> = HashMap::new();
     for listed in maps {
         *counts.entry(stem(listed)).or_default() += 1;
     }
-    let name = |listed: &Listed| match counts[&stem(listed)] {
+    let name = |listed: &Entry| match counts[&stem(listed)] {
         1 => stem(listed).to_string_lossy().into_owned(),
         _ => Path::new(&listed.file_name).with_extension("").to_string_lossy().into_owned(),
     };
@@ -90,7 +96,7 @@ fn names(maps: &[Listed]) -> Result<Vec<String>> {
 }
 
 /// The area of a map in its world. A finite map has its own size.
-fn place(listed: &Listed, map: &Map, infinite: bool) -> Result<Place> {
+fn place(listed: &Entry, map: &Map, infinite: bool) -> Result<Place> {
     let side = u32::from(map.tile);
     let own = (map.size.0.saturating_mul(side), map.size.1.saturating_mul(side));
     let (width, height) = match (infinite, listed.width.zip(listed.height)) {
