@@ -49,7 +49,9 @@ Words for one-way are one way, semi solid, solid top, jump through, jump thru, p
 through and drop through, in any case, together or apart: OneWayPlatform, semi-solid.
 One way says more than solid. Rule d looks for objects in the same way, with the names
 of their layers; if tiles are solid, only objects without a name, a class, properties
-and a picture count. One-way finds do not end the search. All levels of a file are
+and a picture count. If still nothing is solid, the classes and names of objects count,
+such as CollisionBox or Ground. Words can have an end such as layer, map, tile, object or
+box without a blank: collisionlayer. One-way finds do not end the search. All levels of a file are
 decided together. A note names each guess, and each layer that a guess would have made
 solid.
 What a tile, an object or a layer denies (its property solid or collides is false) is not

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use tilesat::TileShape;
 
+use super::called::Guess;
 use super::cells::Sheet;
 use super::guess;
 use super::likeness::Likeness;
@@ -190,26 +191,25 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// The objects of all layers. A guess has words for the names of layers. If tiles are solid, it
-    /// makes only plain objects solid: others are things of the game that move.
-    pub(super) fn objects(&mut self, guess: Option<(&[&str], bool)>) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
+    /// The objects of all layers, also those that a guess makes solid.
+    pub(super) fn objects(&mut self, guess: Option<Guess<'_>>) -> Made<(Vec<Outline>, Vec<LeftOut>)> {
         let (mut outlines, mut left_out, mut found, mut rounded) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for layer in self.all.clone() {
             let Content::Objects(objects) = &layer.content else { continue };
             let mut says = objects::layer_says(layer, self.options);
             // Entities of LDtk are for the game.
-            let fits = guess.is_some_and(|(list, _)| words::has(&layer.name, list));
-            let fits = fits
+            let open = says == Says::Nothing
+                && !self.map.values
                 && marked::denied(&layer.properties).is_none()
                 && !listed(&self.options.unguessed_layers, &layer.name);
-            let guessed = fits && says == Says::Nothing && !self.map.values;
-            if guessed {
+            let fits = guess.filter(|_| open).is_some_and(|guess| guess.fits(&layer.name, objects));
+            if fits {
                 says = Says::Solid;
             }
             let mut count = 0;
             let own_says = says;
             for object in objects {
-                let is_thing = guessed && guess.is_some_and(|(_, only_plain)| only_plain) && !object.is_plain();
+                let is_thing = fits && !guess.is_some_and(|guess| guess.takes(object));
                 let says = if is_thing { Says::Nothing } else { own_says };
                 match objects::outlines(self.map, object, layer, says, self.unit, self.options)
                     .map_err(|why| format!("layer '{}': {why}", layer.name))?
@@ -237,7 +237,7 @@ impl<'a> Layers<'a> {
                     Err(object) => left_out.push(object),
                 }
             }
-            if count > 0 && !guessed {
+            if count > 0 && !fits {
                 let rule = if listed(&self.options.objects, &layer.name) {
                     Rule::Option
                 } else if says == Says::Nothing {
@@ -247,13 +247,16 @@ impl<'a> Layers<'a> {
                 };
                 found.push((rule, format!("objects of layer '{}'", layer.name), count));
             }
-            if guessed && count > 0 {
+            if let (Some(guess), true, 1..) = (guess, fits, count) {
                 self.ledger.add(Rule::D, &format!("objects of layer '{}'", layer.name), count);
-                self.guessed("objects", &layer.name, "--objects");
+                match guess {
+                    Guess::Layers { .. } => self.guessed("objects", &layer.name, "--objects"),
+                    Guess::Objects(list) => self.guessed_objects(layer, objects, list),
+                }
             }
         }
         // A guess is the second pass: the first one found nothing.
-        self.notes.extend(rounded);
+        rounded.into_iter().for_each(|note| self.note(note));
         for (rule, what, count) in if guess.is_some() { Vec::new() } else { found } {
             self.ledger.add(rule, &what, count);
         }

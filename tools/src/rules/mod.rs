@@ -1,5 +1,6 @@
 //! Decides what is solid, by the names of tiles, layers and objects, and by the user's options.
 
+mod called;
 mod cells;
 mod doubts;
 mod edges;

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use super::called::{self, Guess};
 use super::cells::Sheet;
 use super::ground::Doubt;
 use super::guess;
@@ -64,8 +65,8 @@ impl<'a> Search<'a> {
             self.layers.guess(sheet, list);
         }
         if objects {
-            let only_plain = !tiles;
-            (self.outlines, self.left_out) = self.layers.objects(Some((list, only_plain)))?;
+            let guess = Guess::Layers { list, only_plain: !tiles };
+            (self.outlines, self.left_out) = self.layers.objects(Some(guess))?;
         }
         Ok(())
     }
@@ -102,6 +103,15 @@ pub(super) fn guess(levels: &mut [Search<'_>]) -> Made<()> {
         }
         if (tiles(levels), objects(levels)) != before {
             break;
+        }
+    }
+    // Last of all, objects whose own names say it, in layers such as `Object Layer 1`.
+    for list in called::STEPS {
+        if tiles(levels) || objects(levels) {
+            break;
+        }
+        for level in &mut *levels {
+            (level.outlines, level.left_out) = level.layers.objects(Some(Guess::Objects(list)))?;
         }
     }
     if tiles(levels) || objects(levels) {

@@ -176,13 +176,20 @@ fn any(words: &[String], list: &[&str]) -> bool {
     words.iter().any(|word| list.iter().any(|known| is(word, known)))
 }
 
-/// Whether a word is this one, or its plural. Words of Russian have endings, and Chinese and
-/// Japanese have no blanks between words.
+/// What authors write behind another word, without a blank: `collisionlayer`, `WALLTILES`.
+const ENDS: &[&str] = &["layer", "map", "tile", "object", "box", "shape", "grid", "mask"];
+
+/// Whether a word is this one, or its plural, or begins with it and ends in one of [`ENDS`]. Words
+/// of Russian have endings, and Chinese and Japanese have no blanks between words.
 fn is(word: &str, known: &str) -> bool {
+    let single = |word: &str| word.strip_suffix("es").is_some_and(|word| ENDS.contains(&word));
+    let ends = |rest: &str| ENDS.contains(&rest.strip_suffix('s').unwrap_or(rest)) || single(rest);
     match known.chars().next() {
         Some('\u{400}'..='\u{4ff}') => word.starts_with(known),
         Some('\u{3000}'..) => word.contains(known),
-        _ => word == known || word.strip_suffix('s') == Some(known),
+        _ => word.strip_prefix(known).is_some_and(|rest| {
+            rest.is_empty() || rest == "s" || ends(rest) || rest.strip_prefix('s').is_some_and(ends)
+        }),
     }
 }
 

@@ -7,6 +7,7 @@
 mod bake;
 mod baked;
 mod build;
+mod called;
 mod command;
 mod corpus;
 mod damaged;

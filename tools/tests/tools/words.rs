@@ -33,7 +33,10 @@ fn layers_of_collisions() {
         let (found, notes) = cells(&[(name, "##."), ("Trees", "..#")], PLAIN, &[]);
         assert_eq!((found.as_str(), notes.as_str()), ("2 0", ""), "{name}");
     }
-    for name in ["not blocked", "no collide", "blockade", "Trees"] {
+    for name in ["collisionlayer", "COLLISIONMAP", "collisiontiles", "solidobjects", "SolidsLayer", "collisionboxes"] {
+        assert_eq!(cells(&[(name, "##.")], PLAIN, &[]).0, "2 0", "{name}");
+    }
+    for name in ["not blocked", "no collide", "blockade", "Trees", "solidity", "boxlayer", "layer"] {
         assert_eq!(cells(&[(name, "##.")], PLAIN, &[]).0, "", "{name}");
     }
 }
