@@ -7,7 +7,7 @@ use tilesat_tools::rules::flags::Flags;
 use tilesat_tools::rules::ground::Ground;
 use tilesat_tools::rules::options::Options;
 
-use crate::support::{map, objects, rows, run, scratch};
+use crate::support::{folder, layered, map, objects, rows, run, scratch};
 
 fn ground(name: &str, text: &str) -> Ground {
     let levels = load(&scratch("old_files", name, text), None).unwrap();
@@ -180,5 +180,37 @@ fn truth_with_blanks() {
         [">false\n</property>", " value=\" False \"/>", " value=\" 0\"/>", " type=\"bool\">\n false\n</property>"]
     {
         assert!(refused("denied.tmx", &walls(inner)).contains("nothing is solid"), "{inner}");
+    }
+}
+
+/// Before Tiled 1.9, a project named a file of object types. Their values are not in its maps.
+#[test]
+fn object_types_of_a_project() {
+    let home = folder("old_files").join("types");
+    std::fs::create_dir_all(&home).unwrap();
+    let project =
+        |file: &str| std::fs::write(home.join("a.tiled-project"), format!(r#"{{"objectTypesFile":"{file}"}}"#));
+    let layer = r#"<objectgroup name="G"><object id="7" type="Bat" x="0" y="0" width="8" height="8"/></objectgroup>"#;
+    let tiles = r#"<tile id="0" type="Brick"/>"#;
+    let map = layered(&[("Main", "0,0,0,0,0,0,0,0,1,1,1,1")], tiles, layer);
+    std::fs::write(home.join("a.tmx"), map).unwrap();
+    let xml = r#"<objecttypes><objecttype name="Brick"><property name="solid" type="bool" default="true"/></objecttype>
+        <objecttype name="Bat"><property name="hp" type="int" default="3"/><property name="cry" default="eek"/></objecttype></objecttypes>"#;
+    std::fs::write(home.join("types.xml"), xml).unwrap();
+    let json = r#"[{"name":"Brick","properties":[{"name":"solid","type":"bool","value":true}]},
+        {"name":"Bat","properties":[{"name":"hp","type":"int","value":3},{"name":"cry","type":"string","value":"eek"}]}]"#;
+    std::fs::write(home.join("types.json"), json).unwrap();
+    for file in ["types.xml", "types.json"] {
+        project(file).unwrap();
+        let ran = run("bake", home.join("a.tmx"), "--json");
+        let level: serde_json::Value = serde_json::from_str(ran.last()).unwrap();
+        assert_eq!((&level["solid"], &level["notes"]), (&4.into(), &serde_json::json!([])), "{level}");
+        assert_eq!(level["objects"][0]["properties"], serde_json::json!({"cry": ["eek"], "hp": [3]}));
+    }
+    std::fs::write(home.join("broken.xml"), "<objecttypes><objecttype").unwrap();
+    for (file, why) in [("broken.xml", "the file ends within a tag"), ("gone.xml", "cannot read")] {
+        project(file).unwrap();
+        let ran = run("bake", home.join("a.tmx"), "--json --solid Brick");
+        assert!(ran.status == 0 && ran.err.contains(file) && ran.err.contains(why), "{ran:?}");
     }
 }

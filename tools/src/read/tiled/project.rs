@@ -8,6 +8,8 @@ use std::rc::Rc;
 
 use serde::Deserialize;
 
+use super::raw::ObjectType;
+use super::tags;
 use crate::model::property::{Properties, Value};
 use crate::read::file::Files;
 use crate::read::{json, lax};
@@ -20,6 +22,9 @@ const HIGHEST: usize = 6;
 struct Project {
     #[serde(rename = "propertyTypes", deserialize_with = "lax::given")]
     types: Vec<Type>,
+    /// A file of older classes, which had no members of their own.
+    #[serde(rename = "objectTypesFile", deserialize_with = "lax::given")]
+    older: String,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -104,8 +109,26 @@ impl Classes {
             let values = members.map(|member| (member.name, Value::from(&member.value)));
             (known.name, (known.used, Properties(values.collect())))
         };
-        Self { all: classes.map(entry).collect(), none: Properties::default() }
+        let mut all: HashMap<String, _> = classes.map(entry).collect();
+        if !project.older.is_empty() {
+            let older = files.named(path.parent().unwrap_or(Path::new("")), &project.older);
+            match files.utf8(&older).and_then(|bytes| object_types(&bytes)) {
+                Ok(types) => {
+                    for known in types {
+                        all.entry(known.name).or_insert((None, known.properties.0));
+                    }
+                }
+                Err(why) => files.notes.push(format!("the object types {} are not read: {why}", older.display())),
+            }
+        }
+        Self { all, none: Properties::default() }
     }
+}
+
+/// Before Tiled 1.9, a project named a file of its object types.
+fn object_types(bytes: &[u8]) -> Result<Vec<ObjectType>, String> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    if text.starts_with(b"[") { json::parse(bytes) } else { tags::object_types(bytes) }
 }
 
 /// Whether a class gives no value: an empty list, or a class without values of its own.

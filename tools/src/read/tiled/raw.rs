@@ -268,6 +268,16 @@ pub(super) struct Template {
     pub(super) object: Option<Object>,
 }
 
+/// What a project gives the tiles and objects of a type.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct ObjectType {
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) name: String,
+    #[serde(deserialize_with = "lax::given")]
+    pub(super) properties: Listed,
+}
+
 #[derive(Debug, Clone, Copy, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Point {

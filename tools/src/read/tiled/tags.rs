@@ -1,6 +1,8 @@
 //! The XML of Tiled: maps, tilesets and templates, element by element.
 
-use super::raw::{Chunk, Data, Layer, Listed, Map, Number, Object, Point, Template, Tile, Tileset, special};
+use super::raw::{
+    Chunk, Data, Layer, Listed, Map, Number, Object, ObjectType, Point, Template, Tile, Tileset, special,
+};
 use crate::model::decimal::Decimal;
 use crate::model::object::Spot;
 use crate::model::property::{Properties, Value};
@@ -189,17 +191,38 @@ fn properties(xml: &mut Xml<'_>) -> Result<Listed> {
                 Event::End => break,
             }
         }
-        let value = match tag.get("type") {
-            Some("bool") => Some(Value::Bool(truth(&text))),
-            // The default of a number.
-            Some("int" | "float") if text.trim().is_empty() => Some(Value::Number("0".to_owned())),
-            Some("int" | "float") => Some(Value::Number(text)),
-            None | Some("string" | "file" | "color") => Some(Value::Text(text)),
-            Some(other) => special(other, &text),
-        };
-        all.extend(value.map(|value| (name, value)));
+        all.extend(value(tag.get("type"), text).map(|value| (name, value)));
     }
     Ok(Listed(Properties(all)))
+}
+
+/// The value of a property of this type.
+fn value(form: Option<&str>, text: String) -> Option<Value> {
+    match form {
+        Some("bool") => Some(Value::Bool(truth(&text))),
+        // The default of a number.
+        Some("int" | "float") if text.trim().is_empty() => Some(Value::Number("0".to_owned())),
+        Some("int" | "float") => Some(Value::Number(text)),
+        None | Some("string" | "file" | "color") => Some(Value::Text(text)),
+        Some(other) => special(other, &text),
+    }
+}
+
+/// The object types of a project before Tiled 1.9, and what each gives its tiles and objects.
+pub(super) fn object_types(bytes: &[u8]) -> Result<Vec<ObjectType>> {
+    let (mut xml, _) = open(bytes, "objecttypes")?;
+    let mut types = Vec::new();
+    while let Some(tag) = xml.child()? {
+        let mut own = ObjectType { name: tag.text("name"), ..ObjectType::default() };
+        while let Some(tag) = xml.child()? {
+            let given = value(tag.get("type"), tag.text("default"));
+            own.properties.0.0.extend(given.map(|given| (tag.text("name"), given)));
+            xml.skip()?;
+        }
+        types.push(own);
+    }
+    ends(&mut xml)?;
+    Ok(types)
 }
 
 /// As Tiled reads it: everything is true, except 0, the word false and nothing.
