@@ -256,7 +256,9 @@ impl<'a> Layers<'a> {
             }
         }
         // A guess is the second pass: the first one found nothing.
-        rounded.into_iter().for_each(|note| self.note(note));
+        for note in rounded {
+            self.note(note);
+        }
         for (rule, what, count) in if guess.is_some() { Vec::new() } else { found } {
             self.ledger.add(rule, &what, count);
         }

@@ -21,7 +21,7 @@ fn list(level: &Value, name: &str) -> Vec<String> {
 #[test]
 fn classes_of_maps_tilesets_layers_and_groups() {
     let text = map(2, 1, "1,1", "")
-        .replacen(r#"orientation="#, r#"class="Cave" orientation="#, 1)
+        .replacen("orientation=", r#"class="Cave" orientation="#, 1)
         .replacen(r#"name="t""#, r#"name="t" class="Dungeon""#, 1)
         .replacen(r#"name="World""#, r#"name="World" class="Main""#, 1)
         .replacen("</map>", r#"<group name="G" class="Far"/><group name="H" class="Walls"/></map>"#, 1);
