@@ -295,6 +295,12 @@ pub(super) mod kernel {
         fn is_within_straight(&self, a: Raw, b: Raw, reach: i32) -> bool {
             self.is_within(a, b, reach)
         }
+        /// [`is_within`](Self::is_within) of the corner or end that faces the front of a slope with
+        /// this direction.
+        fn faces_within(&self, dir: Axis, (a, b): (Raw, Raw), reach: i32) -> bool {
+            let _ = dir;
+            self.is_within(a, b, reach)
+        }
         /// Whether the body overlaps the level: strict and exact.
         fn overlaps_world<W: World>(&self, world: &W) -> bool;
         /// The [sweep](Self::sweep) against a feature of a level, by the code that such levels

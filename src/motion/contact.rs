@@ -116,13 +116,19 @@ fn touched_straight<B: Body>(body: &B, feature: &Feature, straight: bool, plane:
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (a, end) = ends(Raw::of(a), dir, len);
-            let near = is_near(body, a, end, straight);
-            if near {
-                let over = !B::MEETS_CORNERS || is_over(body, a, end, dir);
+            // The rest of a body may be near a slope too: beside it, or behind a wall's other side.
+            // It meets the slope's end there, which has planes of its own, or nothing. Only at one
+            // point does the answer not depend on how the slope is cut. The free end of a one-way
+            // face has no other plane.
+            let slope = !(straight || feature.one_way || dir.x == 0 || dir.y == 0);
+            let near = if slope { body.faces_within(dir, (a, end), REACH) } else { is_near(body, a, end, straight) };
+            let over = !B::MEETS_CORNERS || (near && is_over(body, a, end, dir));
+            let touches = near && (over || !slope);
+            if touches {
                 let bend = if over { Bend::Flat } else { Bend::End };
                 plane(Plane { normal: normal(dir), bend });
             }
-            near
+            touches
         }
         Geometry::Vertex { p, .. } => is_at_corner(body, Raw::of(p), straight, plane),
         Geometry::Arc { .. } => false,

@@ -2,10 +2,10 @@
 //! knows how far it leads before a surface binds it.
 
 use super::body::{Body, Entry, by_size};
-use super::contact::{Plane, touched};
-use super::plane::{FAR, NEAR, across, into, way};
+use super::contact::{Bend, Plane, touched};
+use super::plane::{FAR, NEAR, across, into, part_of, way};
 use crate::num::{Axis, Raw, cmp_squares, mul_div, umul};
-use crate::world::{Feature, Geometry, World, normal};
+use crate::world::{Feature, Geometry, World, normal as normal_of};
 use core::cmp::Ordering;
 
 /// A way on.
@@ -58,28 +58,57 @@ impl FreeWay {
 
     /// Binds it if it leads into a feature.
     pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
-        // The gap to a pipe opens with the square of the way. A probe does not show that a way
-        // leads into it; the pipe's normal does.
-        if W::ROUND && matches!(feature.geometry, Geometry::Arc { convex: false, .. }) {
-            let (way, mut leads_in) = (*self, false);
-            touched::<W, B>(body, feature, &mut |pipe| {
-                leads_in |= way.along != Some(pipe) && pipe.is_pipe_ahead(way.v);
-            });
-            if leads_in {
-                self.room = 0;
-            }
-        }
-        if self.room == 0 {
+        // The face that a way is along is the most frequent one.
+        let leaves = matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal_of(dir)) >= 0);
+        if self.room == 0 || leaves {
             return;
         }
-        // The face that a way is along is the most frequent one.
-        if matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0) {
+        if self.leads_into::<W, B>(body, feature) {
+            self.room = 0;
             return;
         }
         let Some(entry) = &body.sweep_in::<W>(self.probe, feature) else { return };
         if let Some(room) = room_to(self.probe, entry) {
             self.room = self.room.min(room);
         }
+    }
+
+    /// Whether it leads into a touched surface, though its probe does not show that.
+    ///
+    /// The gap to a pipe opens with the square of the way. The pipe's normal shows it. Faces of the
+    /// same side that differ by less than four degrees meet beyond [`FAR`].
+    ///
+    /// The body must touch the second face here and [`NEAR`] ahead. Before it touches that face,
+    /// there is no way along it yet. If it is about to pass that face's end, nothing is in the way.
+    fn leads_into<W: World, B: Body>(&self, body: &B, feature: &Feature) -> bool {
+        let (is_face, ahead) = match feature.geometry {
+            Geometry::Arc { convex: false, .. } if W::ROUND => (false, Raw::ZERO),
+            Geometry::Face { dir, .. } if W::WIDE && self.is_beside(normal_of(dir)) => {
+                (true, part_of(self.probe, NEAR))
+            }
+            _ => return false,
+        };
+        let mut at = Raw::ZERO;
+        loop {
+            let mut leads_in = false;
+            touched::<W, B>(&body.shifted(at), feature, &mut |plane| {
+                leads_in |= match plane.bend {
+                    Bend::Flat => is_face,
+                    Bend::Concave { .. } => W::ROUND && self.along != Some(plane) && plane.is_pipe_ahead(self.v),
+                    Bend::End | Bend::Convex => false,
+                };
+            });
+            if !leads_in || at == ahead {
+                return leads_in;
+            }
+            at = ahead;
+        }
+    }
+
+    /// Whether it is along a face of the same side as one with this normal.
+    fn is_beside(&self, n: Axis) -> bool {
+        let along = self.along.as_ref().filter(|plane| matches!(plane.bend, Bend::Flat | Bend::End));
+        along.is_some_and(|plane| plane.normal.dot(n) > 0)
     }
 
     /// The length of its part of a velocity, before rounding: `along / |normal|`. Computed when

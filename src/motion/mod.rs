@@ -16,7 +16,7 @@
 //! | How does a capsule pass a corner? | Its ends move around it as discs, its sides slide straight. |
 //! | Does a joint between two slopes, or of a floor and a quarter pipe, stop a body? | No. The body keeps the part of its velocity along the surface. |
 //! | What happens in a wedge that is too narrow? | The body stops where it touches both sides, and rests there. |
-//! | Does a body under gravity rest in a V, in a bowl, between domes? | Yes. It keeps the same position and velocity for ever. In a V whose sides rise by less than 6 percent, one in 60 moves to and fro by up to 1/100 of a unit. Below 2 percent it is one in five, by up to 1/30. |
+//! | Does a body under gravity rest in a V, in a bowl, between domes? | Yes. It keeps the same position and velocity for ever. |
 //! | What do one-way faces block? | Only a body that is entirely in front of them when the motion starts, and that moves in. |
 //! | What if a platform moves under the body, or a door against it? | [`Mover::ride`] carries it, pushes it, or reports that it is [squashed](Ride::Squashed). |
 //! | What if the platform is a slope or a ball, or turns? | Use [`Mover::ride_convex`] instead. |

@@ -36,6 +36,15 @@ pub(super) fn long(v: Raw) -> Raw {
     v
 }
 
+/// The part of a motion whose longest component is `far`, rounded toward zero.
+pub(super) fn part_of(d: Raw, far: u32) -> Raw {
+    let of = |c: i32| {
+        let part = mul_div(c.unsigned_abs(), far, way(d)) as i32;
+        if c < 0 { part.wrapping_neg() } else { part }
+    };
+    Raw { x: of(d.x), y: of(d.y) }
+}
+
 /// The component of `v` along the normal, scaled: negative means into the plane. With |v| < 2^29
 /// and
 /// |n| < 2^30 it is below 2^60.

@@ -4,12 +4,12 @@
 use super::body::{Body, Entry};
 use super::contact::Plane;
 use super::order::First;
-use super::plane::{into, long, project, way};
+use super::plane::{into, long, part_of, project, way};
 use super::response::Smooth;
 use super::search::{Around, Search, box_here, hull, margin};
 use super::{Hit, Moved};
 use crate::error::{Quantity, RangeError};
-use crate::num::{Axis, DOMAIN, LONG, Raw, Toi, mul_div};
+use crate::num::{Axis, DOMAIN, LONG, Raw, Toi};
 use crate::shape::Aabb;
 use crate::world::{Feature, World};
 
@@ -381,15 +381,6 @@ pub(crate) fn first_place(q: Raw, d: Raw, mut tried: usize, mut takes: impl FnMu
         (back, tried) = ((back << 1).max(4), 0);
     }
     Raw::ZERO
-}
-
-/// The part of a motion whose longest component is `far`, rounded toward zero.
-fn part_of(d: Raw, far: u32) -> Raw {
-    let of = |c: i32| {
-        let part = mul_div(c.unsigned_abs(), far, way(d)) as i32;
-        if c < 0 { part.wrapping_neg() } else { part }
-    };
-    Raw { x: of(d.x), y: of(d.y) }
 }
 
 /// The displacement nearest to another that leads beyond neither end of a motion.

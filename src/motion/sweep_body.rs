@@ -88,6 +88,11 @@ impl Kernel for Aabb {
         meet::segment_aabb::<true>(a, b, self.lo().sub(reach), self.hi().add(reach))
     }
 
+    fn faces_within(&self, dir: Axis, (a, b): (Raw, Raw), reach: i32) -> bool {
+        let (p, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+        Self::from_raw_unchecked(p, p).is_within(a, b, reach)
+    }
+
     fn overlaps_world<W: World>(&self, world: &W) -> bool {
         world.overlaps_aabb(self)
     }

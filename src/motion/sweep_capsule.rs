@@ -117,6 +117,11 @@ impl Kernel for Capsule {
             || meet::segment_aabb::<true>(a, b, lo.sub(flat), hi.add(flat))
     }
 
+    fn faces_within(&self, dir: Axis, (a, b): (Raw, Raw), reach: i32) -> bool {
+        let (end, r) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+        meet::circle_segment::<true>(end, r.wrapping_add(reach), a, b)
+    }
+
     /// The inside of a capsule is that of its discs and its box. Every point of the sides between
     /// them, except the ends, is inside of a disc.
     fn overlaps_world<W: World>(&self, world: &W) -> bool {

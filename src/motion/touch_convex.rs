@@ -26,11 +26,20 @@ pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(P
     match feature.geometry {
         Geometry::Face { a, dir, len, .. } => {
             let (a, b) = ends(Raw::of(a), dir, len);
+            let (first, last) = core.facing(dir);
+            let (first, last) = (core.corner(first), core.corner(last));
+            let over = along(dir, last.sub(a)) >= -aside(dir) && along(dir, first.sub(b)) <= aside(dir);
+            if !(feature.one_way || dir.x == 0 || dir.y == 0) {
+                let side = [first.vec2(), last.vec2()];
+                let corners = if first == last { &side[..1] } else { &side };
+                let meets = over && is_within(Core { corners, ..core }, a, b, REACH);
+                if meets {
+                    plane(Plane::flat(normal(dir)));
+                }
+                return meets;
+            }
             let near = is_within(core, a, b, REACH);
             if near {
-                let (first, last) = core.facing(dir);
-                let over = along(dir, core.corner(last).sub(a)) >= -aside(dir)
-                    && along(dir, core.corner(first).sub(b)) <= aside(dir);
                 plane(Plane { normal: normal(dir), bend: if over { Bend::Flat } else { Bend::End } });
                 // The free end of a one-way face is no vertex. The body's sides lead past it.
                 for end in [a, b] {

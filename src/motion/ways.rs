@@ -14,7 +14,7 @@ use super::order::First;
 use super::plane::{FAR, NEAR, into, long, project, way};
 use super::response::Smooth;
 use crate::num::{Axis, Raw, Toi};
-use crate::world::{Feature, World};
+use crate::world::{Feature, Geometry, World, normal};
 use core::ops::Range;
 use core::slice::from_ref;
 use heapless::Vec;
@@ -67,6 +67,11 @@ fn each_near<W: World, B: Body>(world: &W, body: &B, passes: bool, visit: &mut d
     }
 }
 
+/// Whether a feature is a face with this normal. No way along another such face leads into it.
+fn is_parallel(feature: &Feature, n: Axis) -> bool {
+    matches!(feature.geometry, Geometry::Face { dir, .. } if normal(dir) == n)
+}
+
 impl Ways {
     /// The velocity itself; at most six along x and y, which faces and their ends give on both
     /// sides; three slopes or corners. With eight, 24 bodies in gaps as wide as themselves stopped
@@ -106,7 +111,7 @@ impl Ways {
             });
             if touches || may_reach::<W, B>(body, feature, FAR + 1) {
                 self.near.push(feature);
-                alone &= touches;
+                alone &= touches || (!W::BLOCKS && hit.is_some_and(|hit| is_parallel(feature, hit.normal)));
             }
         });
         if let Some(plane) = hit {

@@ -23,13 +23,13 @@ pub(super) fn rolls_on<S: BodyShape>(one: &Slot<S>, other: &Slot<S>) -> bool {
     one.body.mass.is_some() && one.body.shape.is_round() && !other.body.shape.is_round()
 }
 
-/// Whether a round body with this contact meets a corner of a box.
-pub(super) fn is_corner(axis: Axis) -> bool {
+/// Whether a surface is slanted. Where a round body meets a box, it then meets a corner.
+pub(super) fn is_slanted(axis: Axis) -> bool {
     axis.x != 0 && axis.y != 0
 }
 
 /// Whether a contact does not count, because it is at a corner of flush boxes.
 pub(super) fn is_flush<S: BodyShape>(a: &Slot<S>, b: &Slot<S>, axis: Axis) -> bool {
     let flush = |one: &Slot<S>, other: &Slot<S>| one.tally.at_boxes.0 == AtBoxes::FLUSH && rolls_on(one, other);
-    is_corner(axis) && (flush(a, b) || flush(b, a))
+    is_slanted(axis) && (flush(a, b) || flush(b, a))
 }

@@ -102,15 +102,17 @@ impl<V> Trip<'_, V> {
         replies: &mut impl Replies,
     ) -> Option<(Vec2, Vec2)> {
         let (velocity, margin) = (slot.body.velocity, self.fixed?);
-        let mut first =
-            |by: Vec2| first_fixed(slots, near, (handle, slot), (from, by), margin, (self.gravity, &mut *replies));
-        let met = first(by)?;
+        let mut first = |by: Vec2, passed: u32| {
+            first_fixed(slots, near, (handle, slot), (from, by), (margin, passed), (self.gravity, &mut *replies))
+        };
+        first(by, 0)?;
+        let met = first(by, size(by))?;
         let along = |v: Vec2| Surface::SLICK.respond(v, met.axis).unwrap_or(Vec2::ZERO);
         let Some(until) = met.until else {
             // It was answered at the start of the step, and still leads into it: others push, or
             // another fixed body holds it.
             let by = met.lift + along(by - met.lift);
-            let held = first(by).is_some();
+            let held = first(by, 0).is_some();
             return Some(if held {
                 (met.lift, met.velocity)
             } else {
@@ -122,36 +124,39 @@ impl<V> Trip<'_, V> {
         let left = velocity + met.kick;
         // Along a surface that it does not bounce off, it makes the rest.
         let rest = up_to + along(by - up_to);
-        let goes = along(left - met.velocity) == left - met.velocity && first(rest).is_none();
+        let goes = along(left - met.velocity) == left - met.velocity && first(rest, 0).is_none();
         Some((if goes { rest } else { up_to }, left))
     }
 }
 
 /// The fixed body that a motion leads into first, of those in which it ends deep and deeper than it
-/// starts.
+/// starts. If it may have `passed` others by some distance, also of those that it meets on its way.
+///
+/// Where a ball runs over the seam of two boxes, it may end deep only in the second one. It meets
+/// the first one before, and so never the corner behind the seam.
 fn first_fixed<S: BodyShape>(
     slots: &[Slot<S>],
     near: &impl BroadPhase<Tag = Keyed<Filter>>,
     (handle, slot): (Handle, &Slot<S>),
     (from, by): (&S, Vec2),
-    margin: u32,
+    (margin, passed): (u32, u32),
     (gravity, replies): (Vec2, &mut impl Replies),
 ) -> Option<FirstFixed> {
     let (end, least) = (from.translated(by).ok()?, depth(from));
     let mut first: Option<FirstFixed> = None;
-    near.in_region(&around(&end.aabb(), margin), |other| {
+    // Each is a motion: no sum wraps.
+    near.in_region(&around(&end.aabb(), margin.wrapping_add(passed)), |other| {
         let fixed = slots.get(other.slot()).filter(|at| at.mode == Mode::Fixed && may_meet(slot, at));
         let Some(fixed) = fixed.filter(|at| !senses(slot, at)) else { return };
         let it = &fixed.body;
-        let Some(contact) = fixed.comes_to(gravity).contact(&end).filter(|contact| contact.depth() > least) else {
-            return;
-        };
-        let deep = contact.depth();
-        let start = it.shape.contact(from);
-        if start.is_some_and(|start| start.depth() >= deep) {
+        let deep = fixed.comes_to(gravity).contact(&end).map_or(Fx::ZERO, |contact| contact.depth());
+        if deep <= least && passed == 0 {
             return;
         }
-        let lift = fixed.lift(gravity);
+        let (start, lift) = (it.shape.contact(from), fixed.lift(gravity));
+        if start.is_some_and(|start| start.depth().max(least) >= deep) {
+            return;
+        }
         let Some(hit) = from.run_into(by - lift, &it.shape, Vec2::ZERO) else { return };
         let mut until = (!hit.inside).then_some(hit.displacement);
         let mut axis = start.map_or(hit.axis, |start| start.axis());

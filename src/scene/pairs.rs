@@ -5,7 +5,7 @@ use super::at_boxes::AtBoxes;
 use super::blocked_sides::leads_to_blocked;
 use super::body::{ALOFT, Mode, NOBODY, SEVERAL, Slot};
 use super::body_path::Pace;
-use super::flush_boxes::{is_corner, is_flush, rolls_on};
+use super::flush_boxes::{is_flush, is_slanted, rolls_on};
 use super::kernel::BodyShape;
 use super::meeting_time::senses;
 use super::reply::{Replies, Reply};
@@ -44,7 +44,7 @@ pub(super) fn round_at_box<S: BodyShape>(slots: &[Slot<S>], pair: Pair) -> Optio
 fn note_box<S: BodyShape>(slots: &mut [Slot<S>], pair: Pair, axis: Axis, acts: bool) {
     let round = round_at_box(slots, pair).and_then(|at| slots.get_mut(at.slot()));
     if let Some(Slot { tally, .. }) = round.filter(|slot| slot.tally.at_boxes.0 != AtBoxes::FLUSH) {
-        tally.at_boxes.0 |= match (is_corner(axis), acts) {
+        tally.at_boxes.0 |= match (is_slanted(axis), acts) {
             (true, true) => AtBoxes::CORNER,
             (true, false) => 0,
             (false, _) => AtBoxes::SIDE,

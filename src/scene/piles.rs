@@ -7,7 +7,7 @@
 use super::body::{ALOFT, Mode, Slot, UNSETTLED};
 use super::body_path::{Drift, Pace, size};
 use super::farthest_pushes::FarthestPushes;
-use super::flush_boxes::{clears, is_corner, rolls_on};
+use super::flush_boxes::{clears, is_slanted, rolls_on};
 use super::kept_out::Before;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
@@ -16,7 +16,7 @@ use super::memory::{Remembered, keep, rest_mut};
 use super::pressed::Pressed;
 use super::reply::{Replies, Reply};
 use super::through_level::{Trip, hold_in_place};
-use super::velocities::{Meeting, Top, carried, toward};
+use super::velocities::{Meeting, Top, carried, part, toward};
 use super::{Scene, SceneEvent, SceneFault, Stepped};
 use crate::broad::{BroadPhase, Handle, Keyed};
 use crate::filter::Filter;
@@ -88,9 +88,11 @@ fn swap(movers: &mut [Handle], a: usize, b: usize) {
 
 /// The carriers that a body overlaps.
 struct MetCarriers {
-    /// How many of them it runs into, and one of these.
+    /// How many of them it runs into, one of these, and how both change their velocities.
     hits: u16,
-    last: Option<(Handle, Meeting)>,
+    last: Option<(Handle, (Vec2, Vec2))>,
+    /// The sum of the changes of its velocity, if each hit is one on the ground.
+    kick: Vec2,
     /// Whether it meets a corner, and the way out of the sides that it meets.
     corner: bool,
     out: FarthestPushes,
@@ -181,22 +183,21 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
     ) -> Result<(), SceneFault> {
         let gravity = self.trip.gravity;
         let it = *slot;
-        let mut met = self.meet_carriers((handle, &it), slot, (FarthestPushes::NONE, 0), replies);
+        let mut met = self.meet_carriers((handle, &it), slot, FarthestPushes::NONE, replies);
         if met.corner && met.out != FarthestPushes::NONE {
             slot.tally.pushes = FarthestPushes::NONE;
-            met = self.meet_carriers((handle, &it), slot, (met.out, 0), replies);
+            met = self.meet_carriers((handle, &it), slot, met.out, replies);
         }
-        let MetCarriers { hits, last, out, .. } = met;
+        let MetCarriers { hits, last, kick, .. } = met;
         let lies = slot.support != ALOFT;
-        if let (1, Some((other, meeting))) = (hits, last) {
-            let (by_lower, by) = meeting.kicks(1);
-            slot.body.velocity += by;
+        let mut by = part(kick, 1, hits.into());
+        if let (1, Some((other, kicks))) = (hits, last) {
+            by = kicks.1;
             if let Some(lower) = self.slots.get_mut(other.slot()) {
-                lower.body.velocity += by_lower;
+                lower.body.velocity += kicks.0;
             }
-        } else if hits > 1 {
-            self.meet_carriers((handle, &it), slot, (out, hits), replies);
         }
+        slot.body.velocity += by;
         let mut push = slot.tally.push();
         if push != Vec2::ZERO {
             if let Some(rest) = rest_mut(self.memory, handle.slot()) {
@@ -207,7 +208,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             }
             slot.body.shape = self.trip.slide(handle, &slot.body, push)?;
             let pressed = Pressed::of(slot, slot.ground_velocity(self.slots));
-            slot.body.velocity = pressed.left(slot.body.velocity, gravity);
+            slot.body.velocity = pressed.left(slot.body.velocity, gravity, false);
         }
         let bounds = slot.body.shape.aabb();
         if self.near.bounds(handle).is_ok_and(|known| known != bounds) {
@@ -222,30 +223,22 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
         Ok(())
     }
 
-    /// Pushes a body out of its carriers, and finds those that it runs into. Once their number is
-    /// known, it changes the velocity instead. Corners that `out` [leads out of](clears) do
-    /// not count.
+    /// Pushes a body out of its carriers, and finds how those that it runs into change velocities.
+    /// Corners that `out` [leads out of](clears) do not count.
     #[inline(never)]
     fn meet_carriers(
         &self,
         (handle, it): (Handle, &Slot<S>),
         slot: &mut Slot<S>,
-        (out, known_hits): (FarthestPushes, u16),
+        out: FarthestPushes,
         replies: &mut impl Replies,
     ) -> MetCarriers {
         let gravity = self.trip.gravity;
-        let mut met = MetCarriers { hits: 0, last: None, corner: false, out: FarthestPushes::NONE };
+        let mut met = MetCarriers { hits: 0, last: None, kick: Vec2::ZERO, corner: false, out: FarthestPushes::NONE };
         self.below((handle, it), out, replies, |other, lower, (contact, reply)| {
-            if known_hits > 0 {
-                let meeting = Meeting::onto(self.slots, lower, it, (contact.axis(), reply), gravity);
-                if meeting.is_hit() {
-                    slot.body.velocity += meeting.kicks(known_hits).1;
-                }
-                return;
-            }
             let (_, by) = separate(contact, Masses::A_FIXED.share_of_a());
             if rolls_on(it, lower) {
-                if is_corner(contact.axis()) {
+                if is_slanted(contact.axis()) {
                     met.corner = true;
                 } else {
                     met.out.add(by);
@@ -253,10 +246,13 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             }
             slot.tally.pushes.add(still_touching(by, contact.axis()));
             slot.lie_on(self.slots, lower, other);
-            if let Some(meeting) = Meeting::of_pile(self.slots, lower, it, (contact.axis(), reply), gravity) {
-                if meeting.is_hit() {
-                    (met.hits, met.last) = (met.hits + 1, Some((other, meeting)));
-                }
+            let of = (contact.axis(), reply);
+            let meeting = Meeting::of_pile(self.slots, lower, it, of, gravity).filter(Meeting::is_hit);
+            if let Some(meeting) = meeting {
+                let kicks = meeting.kicks(1);
+                (met.hits, met.last) = (met.hits + 1, Some((other, kicks)));
+                let onto = || Meeting::onto(self.slots, lower, it, of, gravity).kicks(1).1;
+                met.kick += if meeting.moves_a { onto() } else { kicks.1 };
             }
         });
         met
@@ -280,7 +276,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usiz
             }
             let shape = lower.comes_to(gravity);
             let Some(contact) = shape.contact(&slot.body.shape) else { return };
-            if rolls_on(slot, lower) && is_corner(contact.axis()) && clears(out, &slot.body.shape, &shape) {
+            if rolls_on(slot, lower) && is_slanted(contact.axis()) && clears(out, &slot.body.shape, &shape) {
                 return;
             }
             if Top::of(contact.axis(), toward(gravity)) == Top::B {

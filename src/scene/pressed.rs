@@ -8,6 +8,9 @@
 //! A body that yields keeps its velocity. So two that meet keep their momentum, on a floor and in
 //! the wind, too. So does a row on a floor: it is as free across gravity as one body. If such rows
 //! lost velocity, nothing could push a heap aside.
+//!
+//! On a slope, gravity also adds velocity across itself. So there a push takes back both
+//! components. Otherwise three boxes in a V of slopes would shake for ever.
 
 use super::body::{ALOFT, NOBODY, Slot};
 use super::farthest_pushes::FarthestPushes;
@@ -38,8 +41,9 @@ impl Pressed {
         self.low + self.high
     }
 
-    /// The velocity that is left after the body's motion, relative to what carries it.
-    pub(super) fn left(&self, velocity: Vec2, gravity: Vec2) -> Vec2 {
+    /// The velocity that is left after the body's motion, relative to what carries it. On a slanted
+    /// surface gravity acts on both components.
+    pub(super) fn left(&self, velocity: Vec2, gravity: Vec2, slanted: bool) -> Vec2 {
         if gravity == Vec2::ZERO {
             return velocity;
         }
@@ -48,7 +52,7 @@ impl Pressed {
         let v = Raw::of(velocity).sub(ground);
         let main = g.x.unsigned_abs().max(g.y.unsigned_abs());
         let one = |v: i32, low: i32, high: i32, g: i32| {
-            let lies = self.lies && g.unsigned_abs() == main;
+            let lies = self.lies && (slanted || g.unsigned_abs() == main);
             // In the wind, a row at a wall cannot yield either.
             let wedged = low != 0 && high != 0 && (g != 0 || !self.stands);
             // Across gravity the sum of both pushes counts: a row takes its bodies along.

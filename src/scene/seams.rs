@@ -5,7 +5,7 @@
 use super::at_boxes::AtBoxes;
 use super::body::Slot;
 use super::farthest_pushes::FarthestPushes;
-use super::flush_boxes::{clears, is_corner};
+use super::flush_boxes::{clears, is_slanted};
 use super::idle::is_idle;
 use super::kernel::BodyShape;
 use super::meeting_time::senses;
@@ -88,7 +88,7 @@ pub(super) fn look_again<S: BodyShape>(
         collect_effects(slots, pair, &contact, gravity, (carried, reply));
         return;
     }
-    let corner = is_corner(contact.axis());
+    let corner = is_slanted(contact.axis());
     let Some(at) = round.filter(|_| corner == (look == SeamLook::Corners)) else { return };
     let is_a = at == pair.a;
     let (round, other) = if is_a { (a, b) } else { (b, a) };

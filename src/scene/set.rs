@@ -93,7 +93,7 @@ impl SleepDifference {
 /// |---|--:|--:|--:|
 /// | boxes and circles | 88 493 | 5 960 |  |
 /// | the same, with [`Solid`](crate::Solid) lifts | 101 451 | 6 256 | 3 656 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 130 161 | 6 256 | 4 408 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 130 797 | 6 256 | 4 408 |
 /// | [`WithCapsules`](super::WithCapsules) |  | 6 224 | 3 792 |
 /// | [`AnyShape`](crate::shape::AnyShape) |  | 7 112 | 4 784 |
 ///
@@ -101,8 +101,8 @@ impl SleepDifference {
 /// |---|--:|
 /// | fly and land, mean | 207 148 |
 /// | fly and land, at most | 379 287 |
-/// | lie in nooks of slopes, none may sleep | 823 182 |
-/// | the same, if the scene [remembers](Self::remembering) | 55 883 |
+/// | lie in nooks of slopes, none may sleep | 737 548 |
+/// | the same, if the scene [remembers](Self::remembering) | 106 495 |
 /// | sleep | 58 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]

@@ -4,6 +4,7 @@ use super::blocked_sides::blocked_sides;
 use super::body::{ALOFT, Mode, NOBODY, Slot, Tally, UNSETTLED};
 use super::body_path::{BodyPath, Drift, Pace, size};
 use super::farthest_pushes::FarthestPushes;
+use super::flush_boxes::is_slanted;
 use super::kernel::{BodyShape, Visit};
 use super::level_of_body::{Sliding, View, sliding};
 use super::meeting_time::{may_meet, senses};
@@ -215,7 +216,8 @@ impl<V> Trip<'_, V> {
         let by = moved.position() - body.position();
         go(slot, handle, by, near)?;
         slot.block(blocked, by);
-        let left = pressed.left(moved.velocity, self.gravity);
+        let slanted = moved.hits.first().is_some_and(|hit| is_slanted(hit.axis));
+        let left = pressed.left(moved.velocity, self.gravity, slanted);
         if !memory.is_empty() {
             let (at, made) = (handle.slot(), Made::of(causes, moved, (left, blocked)));
             keep(memory, at, made.as_ref().map(|made| Rest::of(made, start_of, by)));

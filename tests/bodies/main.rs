@@ -45,6 +45,7 @@ mod scene_snapshot;
 mod scene_solids;
 mod scripts;
 mod seams;
+mod slopes;
 mod sort_sweep;
 mod steps;
 mod sums;

@@ -180,6 +180,48 @@ fn a_ball_slides_along_a_wall_of_boxes() {
     }
 }
 
+/// The game presses the ball into the wall in each step. At each seam the ball must meet the box
+/// before it, not the corner behind it.
+#[test]
+fn a_ball_pressed_along_a_wall_of_boxes_keeps_its_speed() {
+    let map = level(false);
+    for side in 0..4 {
+        let turn = |v: Vec2| match side {
+            0 => v,
+            1 => Vec2::new(v.x, -v.y),
+            2 => Vec2::new(v.y, v.x),
+            _ => Vec2::new(-v.y, v.x),
+        };
+        for (radius, width, press) in
+            [(3_i16, 8, fx!(0.05)), (3, 16, fx!(0.25)), (5, 8, fx!(1)), (8, 8, fx!(0.1)), (8, 16, fx!(0.5))]
+        {
+            for (speed, start) in [fx!(0.7), fx!(1.3), fx!(2.1)].into_iter().flat_map(|v| (0..8).map(move |s| (v, s))) {
+                let mut scene = Rolling::new(SortSweep::new());
+                for k in 0..20 {
+                    let corners = [Vec2::from_ints(k * width, FLOOR), Vec2::from_ints((k + 1) * width, FLOOR + 16)];
+                    let [a, b] = corners.map(turn);
+                    scene.insert(&fixed(Aabb::new(a.min(b), a.max(b)).unwrap(), k as u32)).unwrap();
+                }
+                let at = Vec2::new(fx!(24) + Fx::from_bits(start * 40_219), Fx::from(FLOOR - radius));
+                let ball = Circle::new(turn(at), Fx::from(radius)).unwrap();
+                let ball = SceneBody { velocity: turn(Vec2::new(speed, Fx::ZERO)), ..SceneBody::of(ball, 100) };
+                let ball = scene.insert(&ball).unwrap();
+                for step in 0..40 {
+                    scene.push(ball, turn(Vec2::new(Fx::ZERO, press))).unwrap();
+                    scene.step(&map, Vec2::ZERO, |_| {}).unwrap();
+                    let (along, out) = (turn(Vec2::from_ints(1, 0)), turn(Vec2::from_ints(0, -1)));
+                    let body = scene.body(ball).unwrap();
+                    let what = format!("{side} {radius} {width} {press} {speed} {start} {step}: {body:?}");
+                    let part = |of: Vec2| body.velocity.x * of.x + body.velocity.y * of.y;
+                    assert!(part(along) == speed && part(out) <= Fx::ZERO, "{what}");
+                    let height = body.shape.position().x * out.x + body.shape.position().y * out.y;
+                    assert!(height + Fx::from(FLOOR - radius) > fx!(-0.07), "{what}");
+                }
+            }
+        }
+    }
+}
+
 /// A ball that comes down on a corner leaves it sideways, if no box beside it is as high.
 #[test]
 fn a_corner_that_sticks_out_counts() {

@@ -68,13 +68,11 @@ fn runs(step: i64, count: u32) -> (u32, u32) {
 
 #[test]
 fn slight_bends_stop_nothing() {
-    for step in [UNIT / 2, UNIT, 2 * UNIT] {
-        let (goes, all) = runs(step, cases(130));
+    // On the shortest ones a body is near more than nine faces at once.
+    for (step, count) in [(UNIT / 8, 400), (UNIT / 2, 130), (UNIT, 130), (2 * UNIT, 130)] {
+        let (goes, all) = runs(step, cases(count));
         assert_eq!(goes, all);
     }
-    // Here some boxes are near more faces than the list of ways holds. It leaves out the steepest.
-    let (goes, all) = runs(UNIT / 8, cases(400));
-    assert!(5 * goes > 4 * all, "{goes} of {all}");
 }
 
 /// A box at the end of a floor touches the side below it, too, and goes past both.

@@ -68,18 +68,6 @@ impl Play {
         }
         Err(state)
     }
-
-    /// How far a body still moves to and fro along x.
-    fn sway(&self, mut state: State) -> i128 {
-        let map = SegmentMap::from_bytes(&self.bytes).unwrap();
-        let (mut least, mut most) = (i128::MAX, i128::MIN);
-        for _ in 0..2000 {
-            let at = state.0.bounds().0.0;
-            (least, most) = (least.min(at), most.max(at));
-            state = self.step(&map, state);
-        }
-        most - least
-    }
 }
 
 fn mirror(body: Body) -> Body {
@@ -101,11 +89,10 @@ fn wedge(left: i128, right: i128, size: i128) -> Vec<P> {
     [(-far, top)].into_iter().chain(ground).chain([(far, top), (far, deep), (-far, deep)]).collect()
 }
 
-/// Bodies in wedges of these heights, in parts of 1000, rest after so many frames. One in `sways`
-/// may move to and fro for ever instead; none if that is 0.
-fn rest(heights: impl Fn(&mut Random) -> (i64, i64), count: u64, frames: u32, sways: u64) {
+/// Bodies in wedges of these heights, in parts of 1000, rest after so many frames.
+fn rest(heights: impl Fn(&mut Random) -> (i64, i64), count: u64, frames: u32) {
     for (size, cell) in [(4096i64, 1024), (65_536 * 4, 65_536), (65_536 * 64, 16 << 16)] {
-        let (mut r, mut latest, mut swaying) = (Random::new(size as u64), 0, 0);
+        let (mut r, mut latest) = (Random::new(size as u64), 0);
         for n in 0..cases(count) {
             let (left, right) = heights(&mut r);
             let rise = |h: i64| i128::from((h * size / 1000).max(1));
@@ -127,29 +114,22 @@ fn rest(heights: impl Fn(&mut Random) -> (i64, i64), count: u64, frames: u32, sw
             }
             match play.settles((body, (0, 0)), frames) {
                 Ok(k) => latest = latest.max(k),
-                Err(state) => {
-                    swaying += sways;
-                    let sway = play.sway(state);
-                    let small = sways > 0 && sway <= i128::from(size / 128);
-                    assert!(small, "moves on by {sway}: {state:?} by {}: {:?}", play.gravity, play.scene);
-                }
+                Err(state) => panic!("moves on: {state:?} by {}: {:?}", play.gravity, play.scene),
             }
         }
-        assert!(swaying <= cases(count), "size {size}: {swaying} / {sways} move on");
         println!("size {size}: at rest after {latest} frames at the latest");
     }
 }
 
 #[test]
 fn p17_rest_in_a_wedge_of_any_angles() {
-    rest(|r| (r.within(60, 900), r.within(60, 900)), 60, 6000, 0);
+    rest(|r| (r.within(60, 900), r.within(60, 900)), 60, 6000);
 }
 
-/// Where the sides rise by less than 6 percent, the rounding of each hit can push a body from one
-/// side to the other for ever.
+/// The sides meet farther away than any look ahead: what the body touches must show it.
 #[test]
 fn p17_rest_in_a_shallow_wedge() {
-    rest(|r| (r.within(5, 60), r.within(5, 60)), 60, 60_000, 15);
+    rest(|r| (r.within(1, 60), r.within(1, 60)), 60, 60_000);
 }
 
 #[test]
@@ -164,7 +144,6 @@ fn p17_rest_in_a_wedge_with_one_steep_side() {
         },
         60,
         20_000,
-        0,
     );
 }
 

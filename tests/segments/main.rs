@@ -8,5 +8,6 @@ mod build_errors;
 mod build_shapes;
 mod convex;
 mod hostile;
+mod nooks;
 mod queries;
 mod tiles;

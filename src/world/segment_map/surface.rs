@@ -251,6 +251,12 @@ impl SegmentMap<'_> {
                 straight |= there && ahead == 0 && dir != along && ray.after;
             }
         }
-        straight || last.is_some_and(|last| last.after && !last.before)
+        // Which corner of a box meets the front: it is in this quadrant of `p`.
+        let (normal, front) = (along.perp(), if left { 1 } else { -1 });
+        let in_nook = |last: Axis| {
+            let (x, y) = (normal.x.signum() * front, normal.y.signum() * front);
+            x != 0 && y != 0 && turn(last, Axis::new(x, 0)) <= 0 && turn(last, Axis::new(0, y)) <= 0
+        };
+        straight || last.is_some_and(|last| last.after && (!last.before || in_nook(last.dir)))
     }
 }

@@ -29,15 +29,15 @@ fn main() -> ! {
     table.end()
 }
 
-/// Once those that roll and slide have come to rest. Two never do: a ball between a box and a
-/// slope, and the box. They repeat seven steps.
+/// Once those that roll and slide have come to rest. One ball never does: it repeats 22 steps, more
+/// than the places hold.
 fn rows(table: &Table, scene: &mut Bodies<PLACES>) -> Option<()> {
     let map = level()?;
     fill(scene, &map)?;
     for _ in 0..2000 {
         scene.step(&map, GRAVITY, |_| {}).ok()?;
     }
-    row(table, "64 bodies awake that lie, remembered, step", Some((60_000, 0)), scene, &map, |stepped| {
+    row(table, "64 bodies awake that lie, remembered, step", Some((110_000, 0)), scene, &map, |stepped| {
         usize::from(stepped.moved) == BODIES
     })
 }
