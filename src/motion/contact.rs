@@ -2,7 +2,7 @@
 //! Each has the direction in which it faces there, and whether the body touched it before.
 
 use super::body::{Body, Entry, may_be_round};
-use super::plane::{NEAR, Pipe, across, into, tangential};
+use super::plane::{NEAR, Pipe, across, into, rounding, tangential};
 use super::search::hull;
 pub(super) use super::touched_plane::{Bend, Plane};
 use crate::num::{Axis, Raw, isqrt64, umul, usqr};
@@ -72,11 +72,11 @@ fn is_over<B: Body>(body: &B, a: Raw, end: Raw, dir: Axis) -> bool {
     let (first, last) = if dir.x == 0 || dir.y == 0 {
         (body.toward(dir.reversed()).0, body.toward(dir).0)
     } else {
-        let (nearest, _) = body.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+        let (nearest, _) = body.toward(dir.perp());
         (nearest, nearest)
     };
     let along = |v: Raw| dir.dot(Axis::new(v.x, v.y));
-    let aside = umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64;
+    let aside = rounding(dir) as i64;
     along(last.sub(a)) >= -aside && along(first.sub(end)) <= aside
 }
 
@@ -211,9 +211,7 @@ pub(super) enum Came {
 /// A body that meets a convex corner or arc was on it one call ago if it left along a tangent.
 /// Moving `s` along a tangent, it rises off a circle of radius `rho` by at most `s^2 / 2 rho`.
 pub(super) fn came<W: World, B: Body>(body: &B, u: Raw, made: Raw, hit: &Entry, feature: &Feature) -> Came {
-    let n = hit.normal;
-    let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
-    if into(made, n).unsigned_abs() <= rounding {
+    if into(made, hit.normal).unsigned_abs() <= rounding(hit.normal) {
         return Came::Lay;
     }
     let mut came = Came::Flew;

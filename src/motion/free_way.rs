@@ -3,9 +3,9 @@
 
 use super::body::{Body, Entry, by_size};
 use super::contact::{Bend, Plane, touched};
-use super::plane::{FAR, NEAR, across, into, part_of, way};
-use crate::num::{Axis, Raw, cmp_squares, mul_div, umul};
-use crate::world::{Feature, Geometry, World, normal as normal_of};
+use super::plane::{FAR, NEAR, across, into, part, rounding, way};
+use crate::num::{Axis, Raw, cmp_squares, mul_div};
+use crate::world::{Feature, Geometry, World, normal};
 use core::cmp::Ordering;
 
 /// A way on.
@@ -59,7 +59,7 @@ impl FreeWay {
     /// Binds it if it leads into a feature.
     pub(super) fn bind_by<W: World, B: Body>(&mut self, body: &B, feature: &Feature) {
         // The face that a way is along is the most frequent one.
-        let leaves = matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal_of(dir)) >= 0);
+        let leaves = matches!(feature.geometry, Geometry::Face { dir, .. } if into(self.probe, normal(dir)) >= 0);
         if self.room == 0 || leaves {
             return;
         }
@@ -83,8 +83,8 @@ impl FreeWay {
     fn leads_into<W: World, B: Body>(&self, body: &B, feature: &Feature) -> bool {
         let (is_face, ahead) = match feature.geometry {
             Geometry::Arc { convex: false, .. } if W::ROUND => (false, Raw::ZERO),
-            Geometry::Face { dir, .. } if W::WIDE && self.is_beside(normal_of(dir)) => {
-                (true, part_of(self.probe, NEAR))
+            Geometry::Face { dir, .. } if W::WIDE && self.is_beside(normal(dir)) => {
+                (true, part(self.probe, NEAR, way(self.probe)))
             }
             _ => return false,
         };
@@ -160,16 +160,8 @@ impl FreeWay {
 /// the rounding distance. The answer does not depend on how a face is cut.
 pub(super) fn room_to(probe: Raw, entry: &Entry) -> Option<u8> {
     let room = mul_div(way(probe), entry.num, entry.den);
-    let n = entry.normal;
-    let gap = into(Raw { x: part(probe.x, entry), y: part(probe.y, entry) }, n).unsigned_abs();
-    let rounding = umul(n.x.unsigned_abs(), NEAR).wrapping_add(umul(n.y.unsigned_abs(), NEAR));
-    (room <= NEAR || (room <= FAR && gap <= rounding)).then_some(room as u8)
-}
-
-/// A component of a displacement up to a hit, rounded toward zero.
-fn part(c: i32, entry: &Entry) -> i32 {
-    let part = mul_div(c.unsigned_abs(), entry.num, entry.den) as i32;
-    if c < 0 { part.wrapping_neg() } else { part }
+    let gap = into(part(probe, entry.num, entry.den), entry.normal).unsigned_abs();
+    (room <= NEAR || (room <= FAR && gap <= rounding(entry.normal))).then_some(room as u8)
 }
 
 #[cfg(test)]

@@ -36,18 +36,23 @@ pub(super) fn long(v: Raw) -> Raw {
     v
 }
 
-/// The part of a motion whose longest component is `far`, rounded toward zero.
-pub(super) fn part_of(d: Raw, far: u32) -> Raw {
+/// The part `num / den` of a displacement, rounded toward zero.
+pub(super) fn part(d: Raw, num: u32, den: u32) -> Raw {
     let of = |c: i32| {
-        let part = mul_div(c.unsigned_abs(), far, way(d)) as i32;
-        if c < 0 { part.wrapping_neg() } else { part }
+        let size = mul_div(c.unsigned_abs(), num, den) as i32;
+        if c < 0 { size.wrapping_neg() } else { size }
     };
     Raw { x: of(d.x), y: of(d.y) }
 }
 
+/// [`NEAR`] along a direction, times the direction's length: exact along x and y, elsewhere up to
+/// sqrt 2 times that.
+pub(super) fn rounding(dir: Axis) -> u64 {
+    umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR))
+}
+
 /// The component of `v` along the normal, scaled: negative means into the plane. With |v| < 2^29
-/// and
-/// |n| < 2^30 it is below 2^60.
+/// and |n| < 2^30 it is below 2^60.
 pub(super) fn into(v: Raw, n: Axis) -> i64 {
     along(n, v)
 }

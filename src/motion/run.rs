@@ -4,7 +4,7 @@
 use super::body::{Body, Entry};
 use super::contact::Plane;
 use super::order::First;
-use super::plane::{into, long, part_of, project, way};
+use super::plane::{into, long, part, project, way};
 use super::response::Smooth;
 use super::search::{Around, Search, box_here, hull, margin};
 use super::{Hit, Moved};
@@ -370,7 +370,7 @@ pub(crate) fn first_place(q: Raw, d: Raw, mut tried: usize, mut takes: impl FnMu
     const STEPS: [(i32, i32); 7] = [(0, 0), (-1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (-2, -2)];
     let mut back = 0;
     while back < way(q) {
-        let q = if back == 0 { q } else { part_of(d, way(q).wrapping_sub(back)) };
+        let q = if back == 0 { q } else { part(d, way(q).wrapping_sub(back), way(d)) };
         for (x, y) in STEPS.into_iter().skip(tried) {
             let step = Raw { x: x * d.x.signum(), y: y * d.y.signum() };
             let q = on_the_way(q.add(step), d);

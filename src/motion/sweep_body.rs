@@ -51,7 +51,7 @@ impl Kernel for Aabb {
             Geometry::Face { a, dir, len, joined } => {
                 // A box reaches beyond the slope's line exactly if its corner nearest to the line
                 // does. The normal is (dir.y, -dir.x).
-                let (corner, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+                let (corner, _) = self.toward(dir.perp());
                 sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } => sweep_peak(self.lo(), self.hi(), d, Raw::of(p), e_in, e_out),
@@ -89,7 +89,7 @@ impl Kernel for Aabb {
     }
 
     fn faces_within(&self, dir: Axis, (a, b): (Raw, Raw), reach: i32) -> bool {
-        let (p, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+        let (p, _) = self.toward(dir.perp());
         Self::from_raw_unchecked(p, p).is_within(a, b, reach)
     }
 
@@ -228,7 +228,7 @@ pub(super) fn sweep_end(core: (Raw, Raw), r: i32, d: Raw, p: Raw, normal: Axis) 
     if normal.is_zero() {
         return None;
     }
-    let dir = Axis::new(normal.y.wrapping_neg(), normal.x);
+    let dir = normal.perp();
     sweep_face(core, r, d, &Face { a: p, dir, len: 0, joined: [false; 2] })
 }
 

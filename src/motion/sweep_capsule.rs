@@ -67,7 +67,7 @@ impl Kernel for Capsule {
         let r = self.rounding();
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
-                let (end, _) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+                let (end, _) = self.toward(dir.perp());
                 sweep_slope(end, r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
@@ -118,7 +118,7 @@ impl Kernel for Capsule {
     }
 
     fn faces_within(&self, dir: Axis, (a, b): (Raw, Raw), reach: i32) -> bool {
-        let (end, r) = self.toward(Axis::new(dir.y.wrapping_neg(), dir.x));
+        let (end, r) = self.toward(dir.perp());
         meet::circle_segment::<true>(end, r.wrapping_add(reach), a, b)
     }
 

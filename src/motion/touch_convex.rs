@@ -2,10 +2,10 @@
 
 use super::body::{Body, Entry, kernel::Kernel};
 use super::contact::{self, Bend, Plane};
-use super::plane::{NEAR, way};
+use super::plane::{NEAR, rounding, way};
 use super::sweep_body::keep_first;
 use crate::error::RangeError;
-use crate::num::{Axis, Raw, Vec2, less128, mul64, sqr64, umul, usqr};
+use crate::num::{Axis, Raw, Vec2, less128, mul64, sqr64, usqr};
 use crate::query::cast::side::along;
 use crate::query::{Core, meets};
 use crate::shape::{Aabb, Compound, Single};
@@ -28,18 +28,17 @@ pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(P
             let (a, b) = ends(Raw::of(a), dir, len);
             let (first, last) = core.facing(dir);
             let (first, last) = (core.corner(first), core.corner(last));
-            let over = along(dir, last.sub(a)) >= -aside(dir) && along(dir, first.sub(b)) <= aside(dir);
-            if !(feature.one_way || dir.x == 0 || dir.y == 0) {
-                let side = [first.vec2(), last.vec2()];
-                let corners = if first == last { &side[..1] } else { &side };
-                let meets = over && is_within(Core { corners, ..core }, a, b, REACH);
-                if meets {
-                    plane(Plane::flat(normal(dir)));
-                }
-                return meets;
-            }
-            let near = is_within(core, a, b, REACH);
-            if near {
+            let aside = rounding(dir) as i64;
+            let over = along(dir, last.sub(a)) >= -aside && along(dir, first.sub(b)) <= aside;
+            let slope = !(feature.one_way || dir.x == 0 || dir.y == 0);
+            let side = [first.vec2(), last.vec2()];
+            let corners = match (slope, first == last) {
+                (false, _) => core.corners,
+                (true, false) => &side,
+                (true, true) => &side[..1],
+            };
+            let touches = (over || !slope) && is_within(Core { corners, ..core }, a, b, REACH);
+            if touches {
                 plane(Plane { normal: normal(dir), bend: if over { Bend::Flat } else { Bend::End } });
                 // The free end of a one-way face is no vertex. The body's sides lead past it.
                 for end in [a, b] {
@@ -48,7 +47,7 @@ pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(P
                     }
                 }
             }
-            near
+            touches
         }
         Geometry::Vertex { p, .. } => {
             let p = Raw::of(p);
@@ -81,11 +80,6 @@ pub(super) fn touched(core: Core<'_>, feature: &Feature, plane: &mut dyn FnMut(P
     }
 }
 
-/// The rounding distance along a direction, times its length or up to 1.5 of that.
-fn aside(dir: Axis) -> i64 {
-    umul(dir.x.unsigned_abs(), NEAR).wrapping_add(umul(dir.y.unsigned_abs(), NEAR)) as i64
-}
-
 /// The planes of a point with a radius: those of the body's sides that it is at. Also that of the
 /// corner, if it is at its disc. Returns whether there are any.
 fn around(
@@ -102,7 +96,7 @@ fn around(
         let (e, m) = (next.sub(here), p.sub(here));
         // For the side that begins here: the point in front of it, beside it by the rounding at
         // most.
-        let (height, foot, slack) = (e.cross(m).wrapping_neg(), e.dot(m), aside(Axis::new(e.x, e.y)));
+        let (height, foot, slack) = (e.cross(m).wrapping_neg(), e.dot(m), rounding(Axis::new(e.x, e.y)) as i64);
         let beyond = foot.wrapping_sub(e.len2() as i64);
         let near = !less128(mul64(far, e.len2()), sqr64(height.unsigned_abs()));
         if !e.is_zero() && height >= -slack && foot >= -slack && beyond <= slack && near {

@@ -216,8 +216,9 @@ impl SegmentMap<'_> {
     /// front is.
     ///
     /// It does if the surface continues straight, or turns toward the front and is solid up to
-    /// beyond `p`. It does not if the face meets a wall or a spike from below, or the surface of a
-    /// solid that contains it. A body above then reaches `p`.
+    /// beyond `p`. It does, too, in the nook of two walls, if that contains the quadrant of the box
+    /// whose corner meets the front. It does not if the face meets a wall or a spike from below, or
+    /// the surface of a solid that contains it. A body above then reaches `p`.
     ///
     /// ```text
     ///      |####        ####|####         box                 f: the face, its front is on the right
@@ -251,11 +252,12 @@ impl SegmentMap<'_> {
                 straight |= there && ahead == 0 && dir != along && ray.after;
             }
         }
-        // Which corner of a box meets the front: it is in this quadrant of `p`.
-        let (normal, front) = (along.perp(), if left { 1 } else { -1 });
+        // The corner of a box that meets the front is in the quadrant of `p` into which the front
+        // faces.
+        let front = if left { along.perp() } else { along.perp().reversed() };
         let in_nook = |last: Axis| {
-            let (x, y) = (normal.x.signum() * front, normal.y.signum() * front);
-            x != 0 && y != 0 && turn(last, Axis::new(x, 0)) <= 0 && turn(last, Axis::new(0, y)) <= 0
+            let is_before = |side: Axis| !side.is_zero() && turn(last, side) <= 0;
+            is_before(Axis::new(front.x.signum(), 0)) && is_before(Axis::new(0, front.y.signum()))
         };
         straight || last.is_some_and(|last| last.after && (!last.before || in_nook(last.dir)))
     }
