@@ -1,5 +1,6 @@
 //! Files in JSON.
 
+use super::text::unmarked;
 use serde::Deserialize;
 
 /// The depth of nested lists and members. Groups of Tiled nest as deep as in XML: two of these
@@ -8,12 +9,12 @@ const MAX_DEPTH: usize = 208;
 
 /// Whether a file contains JSON. Everything else is XML.
 pub(in crate::read) fn is_json(bytes: &[u8]) -> bool {
-    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start().starts_with(b"{")
+    unmarked(bytes).trim_ascii_start().starts_with(b"{")
 }
 
 /// Its members, by name.
 pub(in crate::read) fn parse<'a, T: Deserialize<'a>>(bytes: &'a [u8]) -> Result<T, String> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = unmarked(bytes);
     let mut depth = 0usize;
     for mark in (Marks { bytes, at: 0 }) {
         depth = mark.depth(depth);

@@ -34,6 +34,11 @@ pub(super) fn utf8(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
+/// The bytes of a text behind its byte order mark, which UTF-8 may have.
+pub(super) fn unmarked(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}
+
 fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<Vec<u8>, String> {
     let damaged = || "damaged text in UTF-16: save it as UTF-8".to_owned();
     let pairs = bytes.chunks_exact(2);

@@ -4,6 +4,7 @@
 //! Only the five entities of XML and numbers. Skips a document type. Of namespaces it knows a
 //! prefix of the first element: names with that prefix are read without it.
 
+use super::text::unmarked;
 use std::borrow::Cow;
 
 /// The depth of nested elements.
@@ -56,7 +57,7 @@ pub(super) struct Xml<'a> {
 
 impl<'a> Xml<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Result<Self> {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let bytes = unmarked(bytes);
         let text = std::str::from_utf8(bytes)
             .map_err(|e| format!("line {}: not UTF-8 text: save it as UTF-8", line(&bytes[..e.valid_up_to()])))?;
         Ok(Self { text, at: 0, open: Vec::new(), entities: Vec::new(), prefix: "", empty: false })

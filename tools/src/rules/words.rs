@@ -182,8 +182,7 @@ const ENDS: &[&str] = &["layer", "map", "tile", "object", "box", "shape", "grid"
 /// Whether a word is this one, or its plural, or begins with it and ends in one of [`ENDS`]. Words
 /// of Russian have endings, and Chinese and Japanese have no blanks between words.
 fn is(word: &str, known: &str) -> bool {
-    let single = |word: &str| word.strip_suffix("es").is_some_and(|word| ENDS.contains(&word));
-    let ends = |rest: &str| ENDS.contains(&rest.strip_suffix('s').unwrap_or(rest)) || single(rest);
+    let ends = |rest: &str| ENDS.iter().any(|end| rest.strip_prefix(end).is_some_and(|s| ["", "s", "es"].contains(&s)));
     match known.chars().next() {
         Some('\u{400}'..='\u{4ff}') => word.starts_with(known),
         Some('\u{3000}'..) => word.contains(known),

@@ -1,10 +1,10 @@
 //! Files that are no maps, and what their user has to give instead.
 
-use super::super::json;
+use super::super::{json, text::unmarked};
 
 /// What a file is, if it is no map, and what to do.
 pub(in crate::read) fn map(bytes: &[u8]) -> Option<String> {
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let text = unmarked(bytes).trim_ascii_start();
     let begins = |start: &str| text.starts_with(start.as_bytes());
     let element = |name: &str| has(&text[..text.len().min(MOST)], &format!("<{name}"));
     let is = |what: &str, do_this: &str| Some(format!("{what}: {do_this}"));

@@ -12,6 +12,7 @@ use super::raw::ObjectType;
 use super::tags;
 use crate::model::property::{Properties, Value};
 use crate::read::file::Files;
+use crate::read::text::unmarked;
 use crate::read::{json, lax};
 
 /// The file is in the map's folder or at most this many folders above.
@@ -127,7 +128,7 @@ impl Classes {
 
 /// Before Tiled 1.9, a project named a file of its object types.
 fn object_types(bytes: &[u8]) -> Result<Vec<ObjectType>, String> {
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let text = unmarked(bytes).trim_ascii_start();
     if text.starts_with(b"[") { json::parse(bytes) } else { tags::object_types(bytes) }
 }
 
