@@ -3,6 +3,7 @@
 #![no_std]
 #![no_main]
 
+use core::cell::UnsafeCell;
 use core::mem::MaybeUninit;
 use tilesat::motion::{Body, MoveError, Moved, Mover};
 use tilesat::prelude::*;
@@ -68,16 +69,18 @@ fn pairs<A: Copy + Overlaps<A> + OverlapsFrom<A> + Contacts<A>>(
     let miss = move |r: &mut Random| pair(r, 60).filter(|(a, b)| !a.overlaps(b));
     table.row(names[0], None, overlaps, loads, hit, |&yes| yes);
     table.row(names[1], None, overlaps, loads, miss, |&yes| !yes);
-    // With the side that separates them.
-    let hinted: Query<(A, Separation), A, bool> = |a, b| {
-        let mut last = a.1;
-        MaybeUninit::new(a.0.overlaps_from(b, &mut last))
+    // With the side that separates them. A game keeps it with the pair and passes it by reference,
+    // so a copy would not be part of the call.
+    let hinted: Query<(A, UnsafeCell<Separation>), A, bool> = |a, b| {
+        // SAFETY: nothing else refers to the hint while the query runs.
+        let last = unsafe { &mut *a.1.get() };
+        MaybeUninit::new(a.0.overlaps_from(b, last))
     };
     let known = move |r: &mut Random| {
         let (a, b) = miss(r)?;
         let mut last = Separation::default();
         let _ = a.overlaps_from(&b, &mut last);
-        Some(((a, last), b))
+        Some(((a, UnsafeCell::new(last)), b))
     };
     table.row(names[2], None, hinted, |_, _| load::<_, _, _, 4, 4>, known, |&yes| !yes);
     let contact: Query<A, A, Option<tilesat::Contact>> = |a, b| MaybeUninit::new(a.contact(b));
