@@ -52,7 +52,7 @@ impl Kernel for Aabb {
                 // A box reaches beyond the slope's line exactly if its corner nearest to the line
                 // does. The normal is (dir.y, -dir.x).
                 let (corner, _) = self.toward(dir.perp());
-                sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
+                sweep_slope((corner, self.extent()), 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } => sweep_peak(self.lo(), self.hi(), d, Raw::of(p), e_in, e_out),
             Geometry::Arc { .. } => None,
@@ -144,7 +144,7 @@ impl Kernel for Circle {
         let (c, r) = (self.c(), self.r());
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
-                sweep_slope(c, r, d, &Face { a: Raw::of(a), dir, len, joined })
+                sweep_slope((c, Raw::ZERO), r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
                 sweep_cone(c.sub(Raw::of(p)), r, d, e_in, e_out)

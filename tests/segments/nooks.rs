@@ -1,4 +1,4 @@
-//! Nooks of walls: two or three walls that meet in a point, and a box with a corner at or near it.
+//! Nooks: walls and solids that meet in a point, and a box with a corner at or near it.
 //!
 //! A wall has no solid behind it. So the point itself must stop a corner that would leave between
 //! the ends of two faces, and only that. Exhaustive for walls of sixteen directions.
@@ -20,9 +20,13 @@ fn directions() -> Vec<P> {
     all.filter(|&(x, y)| (x % 2 != 0 || y % 2 != 0) && (x, y) != (0, 0)).collect()
 }
 
-fn walls(rays: &[P]) -> Vec<u8> {
-    let paths: Vec<[Vec2; 2]> = rays.iter().map(|&(x, y)| [at((x * FAR, y * FAR)), Vec2::ZERO]).collect();
-    let paths: Vec<Path> = paths.iter().map(|path| Path::new(PathKind::Wall, path)).collect();
+/// Walls from the origin, and a solid with a corner there.
+fn level(rays: &[P], solid: Option<[P; 2]>) -> Vec<u8> {
+    let far = |(x, y): P| at((x * FAR, y * FAR));
+    let walls: Vec<[Vec2; 2]> = rays.iter().map(|&ray| [far(ray), Vec2::ZERO]).collect();
+    let solid = solid.map(|[a, b]| [Vec2::ZERO, far(a), far(b)]);
+    let mut paths: Vec<Path> = walls.iter().map(|path| Path::new(PathKind::Wall, path)).collect();
+    paths.extend(solid.iter().map(|path| Path::new(PathKind::Solid, path)));
     let mut bytes = vec![0; 1 << 13];
     let used = SegmentMap::build_into(&paths, Fx::from_bits(4096), &mut bytes).unwrap();
     bytes.truncate(used);
@@ -78,12 +82,43 @@ fn a_corner_stops_in_a_nook_of_walls() {
     };
     for (i, &a) in rays.iter().enumerate() {
         for (k, &b) in rays.iter().enumerate().skip(i + 1) {
-            all(&SegmentMap::from_bytes(&walls(&[a, b])).unwrap());
+            all(&SegmentMap::from_bytes(&level(&[a, b], None)).unwrap());
             for &c in rays.iter().skip(k + 1) {
-                all(&SegmentMap::from_bytes(&walls(&[a, b, c])).unwrap());
+                all(&SegmentMap::from_bytes(&level(&[a, b, c], None)).unwrap());
             }
         }
     }
     println!("{} stopped, {} free", told.0, told.1);
     assert!(told.0 > 50_000 && told.1 > 10_000, "{told:?}");
+}
+
+/// A box without width or height stops before the solid beside a wall, from all sides.
+#[test]
+fn a_bar_stops_in_a_nook_of_a_wall_and_a_solid() {
+    let (rays, mover, mut stopped) = (directions(), Mover::new().with_response(Response::Touch), 0);
+    let bars = [(900, 0), (-900, 0), (0, 900), (0, -900)].map(|(x, y): P| {
+        let (lo, hi) = ((x.min(0), y.min(0)), (x.max(0), y.max(0)));
+        Aabb::new(at(lo), at(hi)).unwrap()
+    });
+    let velocities = || (-3..=3).flat_map(|x| (-3..=3).map(move |y| (x, y))).filter(|&v| v != (0, 0));
+    for (i, &a) in rays.iter().enumerate() {
+        for &b in rays.iter().skip(i + 1).filter(|b| a.0 * b.1 != a.1 * b.0) {
+            for &wall in &rays {
+                let bytes = level(&[wall], Some([a, b]));
+                let map = SegmentMap::from_bytes(&bytes).unwrap();
+                for (bar, v) in bars.iter().flat_map(|bar| velocities().map(move |v| (bar, v))) {
+                    let start = moved(bar, (-5 * v.0, -5 * v.1));
+                    if map.touches(&start) {
+                        continue;
+                    }
+                    let out = mover.move_and_slide(&map, &start, at((v.0 * STEPS, v.1 * STEPS))).unwrap();
+                    let used = out.hits.first().map_or(STEPS, |hit| (i64::from(hit.toi.raw()) * STEPS) >> 30);
+                    let free = (1..=used).all(|k| !map.overlaps(&moved(&start, (v.0 * k, v.1 * k))));
+                    assert!(free, "{start:?} by {v:?} is in the solid {a:?} {b:?} beside {wall:?} before step {used}");
+                    stopped += u32::from(!out.hits.is_empty());
+                }
+            }
+        }
+    }
+    assert!(stopped > 100_000, "{stopped}");
 }
