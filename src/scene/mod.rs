@@ -181,7 +181,8 @@
 //! - **A group of fast bodies that keeps pressing together sinks in slowly**, such as enemies that
 //!   chase a hero. In ten seconds, eleven boxes come into each other by less than 1/20 of a unit,
 //!   and balls by less than 1/10. After minutes in a corner, balls may be deeper. A crowd of fast
-//!   bodies costs far more, and gets stuck in a narrow door.
+//!   bodies costs far more, and gets stuck in a narrow door. Slow bodies sink in half as deep if
+//!   each frame is two steps, with half of the velocities.
 //! - **Friction slows a row down.** A hero that pushes five crates with a friction of 20 percent
 //!   moves at two thirds of its speed, though it is far heavier.
 //! - **Large heaps may keep moving**: of balls without friction, 2 of 180 heaps of 8 to 24, and

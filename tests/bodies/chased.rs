@@ -64,3 +64,46 @@ fn balls_that_chase_for_minutes_sink_in_further() {
     println!("{deep} deep");
     assert!(deep < fx!(1) && enough(deep > fx!(0.1)), "{deep} deep");
 }
+
+/// How deep each of thirty slow balls is in another, on average, after they chase a fixed post for
+/// ten seconds, with so many steps per frame.
+fn mean_depth(seed: u64, steps: u16) -> Fx {
+    let rows = format!("{0}{1}{0}", "#".repeat(40) + "\n", ("#".to_owned() + &".".repeat(38) + "#\n").repeat(38));
+    let level = TileMap::from_ascii(&rows, &KINDS).unwrap();
+    let (mut scene, r) = (Swept::new(SortSweep::new()), &mut Random::new(seed));
+    let post = Vec2::from_ints(320, 320);
+    scene.insert(&SceneBody::fixed(ball(post.x, post.y, fx!(6)), 1)).unwrap();
+    // On a lattice, off by up to a unit.
+    let at = |r: &mut Random, k: i16| {
+        let off = Vec2::from_raw(r.around(1 << 16) as i32, r.around(1 << 16) as i32);
+        Vec2::from_ints(100 + k % 10 * 44, 60 + k / 10 * 220) + off
+    };
+    let chasers: Vec<_> = (0..30_i16)
+        .map(|k| {
+            let at = at(r, k);
+            let body = SceneBody { floats: true, ..SceneBody::new(ball(at.x, at.y, fx!(6)), 10 + k as u32) };
+            scene.insert(&body).unwrap()
+        })
+        .collect();
+    let speed = fx!(0.75) / Fx::from(steps as u8);
+    for _ in 0..600 * steps {
+        for &chaser in &chasers {
+            let way = post - scene.body(chaser).unwrap().shape.aabb().centre();
+            scene.set_velocity(chaser, way.unit().scaled(speed)).unwrap();
+        }
+        step_with(&mut scene, &level, Vec2::ZERO, &mut |_| Reply::Meet, &mut |_| ()).unwrap();
+    }
+    chasers.iter().map(|&body| depth(&scene, body)).fold(Fx::ZERO, |sum, deep| sum + deep / fx!(30))
+}
+
+/// Two steps per frame, each with half of the velocity, halve the depth, and four halve it again.
+#[test]
+fn slow_chasers_sink_in_half_as_deep_in_two_steps_per_frame() {
+    for case in 0..cases(3_u64) {
+        let deep = [1, 2, 4].map(|steps| mean_depth(case, steps));
+        println!("case {case}: {deep:?}");
+        let [one, two, four] = deep;
+        assert!(two < one * fx!(0.65) && four < two * fx!(0.75), "case {case}: {deep:?}");
+        assert!(one > fx!(1) && one < fx!(3.5), "case {case}: {one}");
+    }
+}
