@@ -5,7 +5,8 @@ use super::body::{Body, Entry, by_size};
 use super::contact::{Bend, Plane, touched};
 use super::plane::{FAR, NEAR, across, into, part, rounding, way};
 use crate::num::{Axis, Raw, cmp_squares, mul_div};
-use crate::world::{Feature, Geometry, World, normal};
+use crate::query::cast::moment::{along, is_below, reach};
+use crate::world::{Feature, Geometry, World, ends, normal};
 use core::cmp::Ordering;
 
 /// A way on.
@@ -24,6 +25,26 @@ pub(super) struct FreeWay {
     /// How far it leads before a surface binds it: up to [`FAR`], [`FREE`](Self::FREE), or
     /// [`UNKNOWN`](Self::UNKNOWN).
     room: u8,
+}
+
+/// Whether a body is in front of a face and over it, to the rounding distance. A body also touches
+/// the end of a face at its side, as the top of a wall that is lower than itself, or a one-way face
+/// that it is passing.
+#[inline(never)]
+fn faces<B: Body>(body: &B, a: Raw, dir: Axis, len: i32) -> bool {
+    let n = normal(dir);
+    let (p, r) = body.toward(n.reversed());
+    let gap = along(n, p.sub(a)).wrapping_add(rounding(n) as i64);
+    if gap < 0 || is_below(gap as u64, reach(r, dir)) {
+        return false;
+    }
+    // Of a slope it touches only what it faces, and of a round body the middle decides.
+    if r != 0 || (dir.x != 0 && dir.y != 0) {
+        return true;
+    }
+    let (_, end) = ends(a, dir, len);
+    let ((first, _), (last, _)) = (body.toward(dir.reversed()), body.toward(dir));
+    along(dir, last.sub(a)) > 0 && along(dir, first.sub(end)) < 0
 }
 
 impl FreeWay {
@@ -78,12 +99,16 @@ impl FreeWay {
     /// The gap to a pipe opens with the square of the way. The pipe's normal shows it. Faces of the
     /// same side that differ by less than four degrees meet beyond [`FAR`].
     ///
-    /// The body must touch the second face here and [`NEAR`] ahead. Before it touches that face,
-    /// there is no way along it yet. If it is about to pass that face's end, nothing is in the way.
+    /// The body must touch the second face here and [`NEAR`] ahead, and be [before](faces) it.
+    /// Before it touches that face, there is no way along it yet. If it is about to pass that
+    /// face's end, nothing is in the way.
     fn leads_into<W: World, B: Body>(&self, body: &B, feature: &Feature) -> bool {
         let (is_face, ahead) = match feature.geometry {
             Geometry::Arc { convex: false, .. } if W::ROUND => (false, Raw::ZERO),
-            Geometry::Face { dir, .. } if W::WIDE && self.is_beside(normal(dir)) => {
+            Geometry::Face { a, dir, len, .. } if W::WIDE && self.is_beside(normal(dir)) => {
+                if !faces(body, Raw::of(a), dir, len) {
+                    return false;
+                }
                 (true, part(self.probe, NEAR, way(self.probe)))
             }
             _ => return false,

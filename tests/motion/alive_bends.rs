@@ -2,7 +2,7 @@
 //!
 //! The faces of such a floor are nearly one, and a wide body is near many of them.
 
-use tilesat::{Aabb, Axis, Body, Capsule, Circle, Fx, Mover, Path, PathKind, SegmentMap, Vec2};
+use tilesat::{Aabb, Axis, Body, Capsule, Circle, ConvexPolygon, Fx, Mover, Path, PathKind, SegmentMap, Vec2};
 use tilesat_judge::{Random, cases};
 
 const UNIT: i64 = 1 << 16;
@@ -94,5 +94,40 @@ fn the_side_below_the_end_of_a_floor_stops_nothing() {
         let moved = Mover::platformer(Axis::NEG_Y).move_and_slide(&map, &body, at(speed.0, speed.1)).unwrap();
         let by = (moved.body.position() - body.position()).raw();
         assert!(by.0.max(by.1) > 15_000, "{by:?}");
+    }
+}
+
+/// A body slides down a slope, away from a wall, or past a one-way face that it has half passed. The
+/// top of the wall and the one-way face are beside it, and level.
+fn slides_down(beside: &Path, body: impl Body, name: &str) {
+    let unit = |x: i64, y: i64| at(x * UNIT, y * UNIT);
+    let slope = [unit(50, 200), unit(100, 150), unit(100, 200)];
+    let mut bytes = vec![0; 1 << 12];
+    let paths = [Path::new(PathKind::Solid, &slope), *beside];
+    let used = SegmentMap::build_into(&paths, Fx::from_num(50), &mut bytes).unwrap();
+    let map = SegmentMap::from_bytes(&bytes[..used]).unwrap();
+    let (mover, start) = (Mover::platformer(Axis::NEG_Y), body.position());
+    let (mut body, mut velocity) = (body, Vec2::ZERO);
+    for _ in 0..40 {
+        let moved = mover.move_and_slide(&map, &body, velocity + at(0, UNIT / 4)).unwrap();
+        (body, velocity) = (moved.body, moved.velocity);
+    }
+    assert!(start.x - body.position().x > 20, "{name} stops at {:?}", body.position());
+}
+
+#[test]
+fn a_level_face_beside_a_body_binds_no_slope() {
+    let unit = |x: i64, y: i64| at(x * UNIT, y * UNIT);
+    let wall = [unit(100, 100), unit(140, 100), unit(140, 200), unit(100, 200)];
+    let (wall, ledge) = (Path::new(PathKind::Solid, &wall), [unit(60, 100), unit(140, 100)]);
+    let ledge = Path::new(PathKind::OneWay, &ledge);
+    for (place, beside) in [("at a wall", &wall), ("in a one-way face", &ledge)] {
+        let corners = [unit(80, 60), unit(100, 60), unit(100, 140), unit(80, 140)];
+        slides_down(beside, Aabb::new(corners[0], corners[2]).unwrap(), &format!("a box {place}"));
+        slides_down(beside, ConvexPolygon::<4>::new(&corners).unwrap(), &format!("a polygon {place}"));
+        let radius = Fx::from_num(10);
+        let capsule = Capsule::new(unit(90, 70), unit(90, 130), radius).unwrap();
+        slides_down(beside, capsule, &format!("a capsule {place}"));
+        slides_down(beside, Circle::new(unit(90, 100), radius).unwrap(), &format!("a disc {place}"));
     }
 }
