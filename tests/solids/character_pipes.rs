@@ -82,10 +82,12 @@ fn it_runs_through_a_pipe_up_to_the_wall() {
     }
 }
 
-/// At the end of a pipe the ground falls away, by a slope that is too steep to stand on.
+/// At the end of a pipe the ground falls away, by a slope or another pipe that is too steep to stand
+/// on.
 #[test]
 fn it_leaves_a_pipe_at_whose_end_the_ground_falls_away() {
-    for rows in ["....\n#...\n#(..\n##l.\n####", "....\n#...\n#(..\n##..\n####"] {
+    for beyond in ["##l.", "##..", "##(."] {
+        let rows = &format!("....\n#...\n#(..\n{beyond}\n####");
         for width in [fx!(2), fx!(7), fx!(10)] {
             for run in [fx!(0.5), fx!(1.5), fx!(4)] {
                 with_bodies!(width, fx!(31), |make, bounds| {

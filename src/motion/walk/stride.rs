@@ -12,7 +12,7 @@ use crate::motion::run::{Checkpoint, Run, check_inside};
 use crate::motion::slope_limit::SurfaceRole;
 use crate::motion::ways::Ways;
 use crate::motion::{MoveError, Mover};
-use crate::num::{Axis, Fx, Raw, Toi, mul_div, umul};
+use crate::num::{Axis, Fx, Raw, Toi, Vec2, mul_div, umul};
 use crate::query::cast::moment::ratio;
 use crate::world::{Feature, Geometry, World};
 
@@ -34,6 +34,8 @@ pub(super) struct Stride<'a, 'm, W, B> {
     ahead: Option<(Checkpoint<B>, Toi)>,
     /// The start of the last leg. For a chord, that of the leg that led to it along its pipe.
     before: Checkpoint<B>,
+    /// The centre of the pipe in which it moves by a chord.
+    pipe: Vec2,
     /// Whether it lands on level ground in this frame.
     lands: bool,
 }
@@ -74,6 +76,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             climbed: None,
             ahead: None,
             before: run.here(),
+            pipe: Vec2::ZERO,
             lands,
             run,
         }
@@ -300,6 +303,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         let pipe = Pipe { m: at.sub(Raw::of(centre)), r: radius.wrapping_sub(r), quadrant };
         if let Some(chord) = pipe.chord(self.velocity(Toi::ONE), self.run.rest, &Smooth) {
             (self.run.motion, self.run.after, self.run.on_chord) = (chord.way, chord.after, true);
+            self.pipe = centre;
         }
     }
 
@@ -313,8 +317,9 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             self.floor = ground.entry.normal;
             return self.run.rest != Toi::ZERO;
         }
-        // Other ground that is too steep begins where the pipe ends: the body leaves that.
-        if !matches!(ground.feature.geometry, Geometry::Arc { convex: false, .. }) {
+        // Other ground that is too steep begins where the pipe ends, such as another pipe that falls
+        // away there: the body leaves that.
+        if !matches!(ground.feature.geometry, Geometry::Arc { centre, convex: false, .. } if centre == self.pipe) {
             return false;
         }
         self.run.put_back(self.before);
