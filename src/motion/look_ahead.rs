@@ -199,6 +199,11 @@ impl<W: World> Ahead<'_, W> {
                 return Ok(true);
             }
             let middle = middle.moved.body;
+            // On a slope a way of a few raw may be rounded to nothing.
+            let (a, x, b) = (from.lo().x, middle.lo().x, to.lo().x);
+            if x <= a.min(b) || x >= a.max(b) {
+                return Ok(false);
+            }
             if self.is_bridged(&from, &middle, floor)? {
                 from = middle;
             } else {

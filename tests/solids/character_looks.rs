@@ -131,6 +131,26 @@ fn a_patrol_turns_at_a_pit_as_wide_as_itself() {
     }
 }
 
+/// The search for a gap comes down to a few raw units on a slope, which no walk makes. It ends there
+/// all the same.
+#[test]
+fn a_look_down_a_slope_into_a_pit_ends() {
+    let rows = ["........\n#\\..#...\n##..#...\n#######.", "........\n...#../#\n...#..##\n.#######"];
+    for (rows, x, run) in [(rows[0], fx!(10), fx!(1)), (rows[1], fx!(92), fx!(-1))] {
+        let level = TileMap::<Slopes>::of_ascii(rows, &GROUND).unwrap();
+        let feel = Feel { snap: fx!(16), step: fx!(8), ..Feel::DEFAULT };
+        for (width, start) in [10, 12, 16].into_iter().flat_map(|width| (0..64).map(move |start| (width, start))) {
+            let body = Aabb::from_size(Vec2::new(x + Fx::from_num(start) / 8, fx!(0)), Vec2::from_ints(width, 14));
+            let mut enemy = Character::new(body.unwrap(), limits(), feel);
+            for frame in 0..60 {
+                let _ = enemy.step(&level, Input::running(if frame < 20 { fx!(0) } else { run })).unwrap();
+                let _ = enemy.ledge_ahead(&level, enemy.stopping_distance(run)).unwrap();
+            }
+            assert!(enemy.on_floor(), "{rows} {width} {start}");
+        }
+    }
+}
+
 #[test]
 fn on_even_ground_it_turns_with_its_front_on_the_floor() {
     let level = TileMap::from_ascii("          \n ======   \n", &KINDS).unwrap(); // from 16 to 112
