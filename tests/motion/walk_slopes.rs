@@ -4,7 +4,7 @@
 #![allow(clippy::cast_precision_loss, clippy::float_cmp, reason = "tests stop at the first surprise")]
 
 use tilesat::world::World;
-use tilesat::{Axis, Mover, SlopeSpeed, Walker};
+use tilesat::{Aabb, Axis, Fx, Mover, SlopeSpeed, Slopes, TileKind, TileKinds, TileMap, TileShape, Vec2, Walker};
 use tilesat_judge::Random;
 use tilesat_judge::ground::way::{along, height, is_straight, length, projected};
 use tilesat_judge::ground::{Ground, P, PX, Shape, fx, tiles};
@@ -179,5 +179,35 @@ fn random_ground() {
             assert!(t.straight.over <= 0.01 && t.straight.under <= 10.0, "{t:?}");
         }
         assert!(t.iter().all(|t| t.chord <= 4.0) && t[0].joints.under <= 16.0, "{t:?}");
+    }
+}
+
+static HALVES: TileKinds = TileKinds::EMPTY
+    .with(b'#', TileKind::FULL)
+    .with(b'_', TileKind::of(TileShape::HalfBottom))
+    .with(b'a', TileKind::of(TileShape::MildLowBottomRight))
+    .with(b'b', TileKind::of(TileShape::MildHighBottomRight));
+
+/// A box as wide as a cell comes down a slope on its back corner, and its front corner comes to the
+/// top of a half tile at that moment. It goes on, so no wall blocks it.
+#[test]
+fn a_corner_that_it_passes_is_no_wall() {
+    let level = TileMap::<Slopes>::of_ascii("......\n......\n__ab##\n######", &HALVES).unwrap();
+    let walker = Walker::new(Mover::platformer(Axis::NEG_Y)).with_slope_speed(SlopeSpeed::Constant);
+    for start in 0..100 {
+        for run in [PX / 2, PX, 3 * PX / 2, 3 * PX] {
+            let from = Vec2::new(Fx::from_num(40) + Fx::from_bits(911 * start), Fx::ZERO);
+            let mut body = Aabb::from_size(from, Vec2::from_ints(16, 14)).unwrap();
+            let (mut velocity, mut floor) = (Vec2::ZERO, None);
+            for frame in 0..70 {
+                velocity = Vec2::new(if frame < 30 { Fx::ZERO } else { -fx(run) }, velocity.y + fx(PX / 4));
+                let walked = walker.walk(&level, &body, velocity, floor).unwrap();
+                (body, velocity, floor) = (walked.moved.body, walked.moved.velocity, walked.floor);
+                assert!(frame < 30 || !walked.moved.wall || velocity.x == 0, "{start} {run} {body:?}");
+                if body.min().x < 8 {
+                    break;
+                }
+            }
+        }
     }
 }

@@ -197,7 +197,11 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 self.run.moved.wall = false;
                 true
             }
-            _ if self.squeeze() => true,
+            // It goes on, past a corner that roundings made it meet.
+            _ if self.squeeze() => {
+                self.run.moved.wall = false;
+                true
+            }
             _ => {
                 // A body that is blocked at once does not creep along by roundings, unless they
                 // take it off its floor.
