@@ -36,6 +36,19 @@ pub(super) struct Sheet<'a> {
     pub(super) flagged: HashMap<u32, piece::Block>,
 }
 
+impl Sheet<'_> {
+    /// Whether a tile of it is solid or has flags.
+    fn counts(&self) -> bool {
+        self.used.iter().any(|(entry, _)| self.pieces.contains_key(entry) || self.flags.contains_key(entry))
+    }
+
+    /// Whether its layer has no offset.
+    fn stays(&self) -> bool {
+        let raw = |offset: Decimal| Unit::new(None).raw(offset).0;
+        (raw(self.layer.offset.0), raw(self.layer.offset.1)) == (0, 0)
+    }
+}
+
 /// A grid in pixels of the map: the first corner of its cells, and their size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) struct Lattice {
@@ -88,8 +101,12 @@ impl Lattice {
 pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, String> {
     let Some(lattice) = best(sheets) else { return Ok(Cells::default()) };
     let mut cells = Cells { tile: lattice.tile, ..Cells::default() };
-    let on: Vec<&Sheet<'_>> =
-        sheets.iter().filter(|sheet| Lattice::of(sheet) == lattice && !sheet.tiles.cells.is_empty()).collect();
+    let fits = |sheet: &&Sheet<'_>| Lattice::of(sheet) == lattice && !sheet.tiles.cells.is_empty();
+    // Scenery that is moved, such as the tops of walls, adds no empty rows.
+    let mut on: Vec<&Sheet<'_>> = sheets.iter().filter(fits).filter(|sheet| sheet.counts() || sheet.stays()).collect();
+    if on.is_empty() {
+        on = sheets.iter().filter(fits).collect();
+    }
     if on.is_empty() {
         return Ok(cells);
     }

@@ -213,3 +213,27 @@ fn the_check_sees_polygons() {
         assert_eq!(check.overlaps(&figure), overlaps, "{figure:?}");
     }
 }
+
+/// The tops of walls are often drawn on a layer of their own, moved up by a cell.
+#[test]
+fn scenery_that_is_moved_adds_no_rows() {
+    let text = |offset: &str, tops: u32| {
+        format!(
+            r#"<map orientation="orthogonal" width="2" height="2" tilewidth="16" tileheight="16">
+            <tileset firstgid="1" name="t" tilewidth="16" tileheight="16" tilecount="2" columns="2"><image source="t.png" width="32" height="16"/>
+            <tile id="0" type="Solid"/></tileset>
+            <layer name="L" width="2" height="2"><data encoding="csv">1,1,1,1</data></layer>
+            <layer name="tops" width="2" height="2" {offset}><data encoding="csv">{tops},0,0,0</data></layer></map>"#
+        )
+    };
+    let baked = |name, text| support::level(&scratch("level", name, text)).unwrap();
+    // Tile 2 is a picture, tile 1 is solid.
+    for (name, offset, tops, size) in [
+        ("tops.tmx", r#"offsety="-16""#, 2, (2, 2, 0)),
+        ("side.tmx", r#"offsetx="32" offsety="16""#, 2, (2, 2, 0)),
+        ("solid.tmx", r#"offsety="-16""#, 1, (2, 3, -16 << 16)),
+    ] {
+        let level = baked(name, text(offset, tops));
+        assert_eq!((level.width, level.height, level.origin.1), size, "{name}");
+    }
+}
