@@ -91,10 +91,13 @@ fn motion<S>(slot: &Slot<S>) -> Vec2 {
     slot.body.velocity + slot.tally.kick + slot.tally.push()
 }
 
-/// Whether a slow body moves into a fast one on the straight paths of both.
+/// Whether a slow body moves into a fast one on the straight paths of both, or into one that a wall
+/// stops at once.
 fn runs_into<S: BodyShape>(slow: &Slot<S>, fast: &Slot<S>) -> bool {
     let (p, q, by) = (&slow.body.shape, &fast.body.shape, motion(slow));
-    let Some(hit) = p.run_into(by, q, motion(fast)) else { return false };
-    let inward = if hit.inside { p.contact(q).map(|contact| contact.axis()) } else { Some(hit.axis.reversed()) };
-    inward.is_some_and(|axis| axis.dot_vec(by) > 0)
+    [motion(fast), Vec2::ZERO].into_iter().any(|way| {
+        let Some(hit) = p.run_into(by, q, way) else { return false };
+        let inward = if hit.inside { p.contact(q).map(|contact| contact.axis()) } else { Some(hit.axis.reversed()) };
+        inward.is_some_and(|axis| axis.dot_vec(by) > 0)
+    })
 }

@@ -105,5 +105,33 @@ fn slow_chasers_sink_in_half_as_deep_in_two_steps_per_frame() {
         let [one, two, four] = deep;
         assert!(two < one * fx!(0.65) && four < two * fx!(0.75), "case {case}: {deep:?}");
         assert!(one > fx!(1) && one < fx!(3.5), "case {case}: {one}");
+
+/// A fast hero runs along a wall into which it presses, and a slow enemy chases it from ahead or
+/// from behind. The straight path of the hero leads away from the enemy; the wall does not.
+#[test]
+fn a_slow_chaser_does_not_stop_a_hero_that_presses_against_a_wall() {
+    let rows = "#.......\n".repeat(16);
+    let level = TileMap::from_ascii(&rows, &KINDS).unwrap();
+    for case in 0..cases(40_i16) {
+        let r = &mut Random::new(case as u64);
+        let mut scene = Swept::new(SortSweep::new());
+        let hero =
+            SceneBody { mass: NonZeroU8::new(255), fast: true, ..SceneBody::new(ball(fx!(21), fx!(60), fx!(5)), 1) };
+        let hero = scene.insert(&hero).unwrap();
+        let enemy = ball(Fx::from_num(20 + r.below(20)), Fx::from_num(90 - case % 2 * 60), fx!(4));
+        let enemy = scene.insert(&SceneBody::new(enemy, 2)).unwrap();
+        let speed = Fx::from_bits(r.below(30_000) as i32 + 20_000);
+        let mut deepest = Fx::ZERO;
+        for _ in 0..120 {
+            scene.set_velocity(hero, Vec2::new(fx!(-0.75), fx!(0.75))).unwrap();
+            let centre = |body| scene.body(body).unwrap().shape.position();
+            let way = centre(hero) - centre(enemy);
+            scene.set_velocity(enemy, way.unit().scaled(speed)).unwrap();
+            step_with(&mut scene, &level, Vec2::ZERO, &mut |_| Reply::Meet, &mut |_| ()).unwrap();
+            deepest = deepest.max(depth(&scene, enemy));
+        }
+        let ran = scene.body(hero).unwrap().shape.position().y - fx!(60);
+        assert!(ran > fx!(85), "case {case}: the hero ran {ran} of 90");
+        assert!(deepest < fx!(0.25), "case {case}: the enemy is {deepest} deep");
     }
 }
