@@ -105,6 +105,8 @@ fn slow_chasers_sink_in_half_as_deep_in_two_steps_per_frame() {
         let [one, two, four] = deep;
         assert!(two < one * fx!(0.65) && four < two * fx!(0.75), "case {case}: {deep:?}");
         assert!(one > fx!(1) && one < fx!(3.5), "case {case}: {one}");
+    }
+}
 
 /// A fast hero runs along a wall into which it presses, and a slow enemy chases it from ahead or
 /// from behind. The straight path of the hero leads away from the enemy; the wall does not.
