@@ -29,23 +29,34 @@ pub(super) struct BodyPath {
     pub(super) stop: Heading,
 }
 
-/// One of eight directions, or none, in a byte, so a path takes 32 bytes.
+/// A direction, or none, in a byte, so a path takes 32 bytes.
+///
+/// The two signs, which component is longer, and how much longer, in 30 steps: equal directions
+/// have equal headings, and directions that have the same one differ by at most two degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Heading(i8);
+pub(super) struct Heading(u8);
 
 impl Heading {
-    /// The direction that is nearest. A part along an axis counts from half of the other on.
+    const NONE: Self = Self(0);
+    const STEPS: u32 = 30;
+
+    /// The direction of an axis.
     pub(super) fn of(axis: Axis) -> Self {
         let (x, y) = (axis.x.unsigned_abs(), axis.y.unsigned_abs());
-        let sign = |c: i32, size: u32, other: u32| if size >= other >> 1 { c.signum() as i8 } else { 0 };
-        Self(sign(axis.x, x, y) + 3 * sign(axis.y, y, x))
+        let slope = mul_div(x.min(y), Self::STEPS, x.max(y).max(1)) as u8;
+        let bits = u8::from(axis.x < 0) << 7 | u8::from(axis.y < 0) << 6 | u8::from(y > x) << 5;
+        Self(bits | slope.wrapping_add(1))
     }
 
     /// Whether a motion along an axis leads toward it.
     pub(super) fn bars(self, axis: Axis) -> bool {
-        let y = (self.0 + 4) / 3 - 1;
-        let x = self.0 - 3 * y;
-        axis.dot(Axis::new(x.into(), y.into())) > 0
+        if self == Self::NONE {
+            return false;
+        }
+        let short = i32::from(self.0 & 31).wrapping_sub(1);
+        let (x, y) = if self.0 & 32 == 0 { (Self::STEPS as i32, short) } else { (short, Self::STEPS as i32) };
+        let sign = |bit: u8, c: i32| if self.0 & bit == 0 { c } else { c.wrapping_neg() };
+        axis.dot(Axis::new(sign(128, x), sign(64, y))) > 0
     }
 }
 
@@ -111,7 +122,7 @@ impl BodyPath {
             turns: 0,
             pace: Pace::Slow,
             aloft: false,
-            stop: Heading(0),
+            stop: Heading::NONE,
         }
     }
 

@@ -190,6 +190,8 @@
 //! - **A fast body that lies on slow ones may keep them awake**, though nothing moves: it hits them
 //!   in each step. With one fast body of eight that is so in 8 bins of 100, of four in 2, without
 //!   friction in 8 and 3. If all are fast, or none is, nearly all sleep.
+//! - **A fast body that two surfaces touch from both sides** keeps only its velocity along them, if
+//!   they face each other to two degrees. In a wider wedge it bounces out.
 //! - **A fast body on a fixed one** that the game [places](Scene::place) may lag by one step's
 //!   gravity.
 //! - **A body bounces for ever** if its restitution is above one half and its

@@ -4,6 +4,7 @@ use core::num::NonZeroU8;
 use tilesat::scene::{SceneBody, SortSweepScene};
 use tilesat::{Aabb, AllShapes, Circle, Filter, Fx, Ratio, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
 use tilesat_judge::scenes::BODIES;
+use tilesat_judge::{Random, cases};
 
 static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'#', TileKind::FULL)
@@ -121,5 +122,32 @@ fn late_slides_keep_their_velocity() {
         scene.step(&level, Vec2::ZERO, |_| {}).unwrap();
         let after = scene.body(handle).unwrap().velocity;
         assert!((after - Vec2::from_ints(32, -32)).length() < fx!(0.03), "{left}: {after:?}");
+    }
+}
+
+/// A wedge between the ceiling and a round bumper that is a little too narrow for the ball: however
+/// a ball flies into it, it comes out with its speed.
+#[test]
+fn elastic_bodies_leave_a_wedge_with_their_speed() {
+    let level = TileMap::<AllShapes>::of_ascii("##############\n..............\n..............\n", &KINDS).unwrap();
+    let surface = Surface::new(Ratio::ONE, Ratio::ZERO);
+    for gap in [fx!(8), fx!(9), fx!(9.5), fx!(9.9), fx!(9.99)] {
+        for case in 0..cases(400_u64) {
+            let r = &mut Random::new(case);
+            let mut between = |from: i64, to: i64| Fx::from_bits(((from << 16) + r.below((to - from) << 16)) as i32);
+            let mut scene = SortSweepScene::<4>::empty();
+            let bumper = Circle::new(Vec2::new(fx!(120), fx!(24) + gap), fx!(8)).unwrap();
+            scene.insert(&SceneBody { surface, ..SceneBody::fixed(bumper, 2) }).unwrap();
+            let (start, aim) = (Vec2::new(fx!(50), between(22, 60)), Vec2::new(between(108, 118), between(18, 24)));
+            let velocity = (aim - start).unit().scaled(between(1, 7));
+            let body =
+                SceneBody { fast: true, surface, velocity, ..SceneBody::new(Circle::new(start, fx!(5)).unwrap(), 1) };
+            let ball = scene.insert(&body).unwrap();
+            for _ in 0..300 {
+                scene.step(&level, Vec2::ZERO, |_| {}).unwrap();
+            }
+            let (was, is) = (velocity.length(), scene.body(ball).unwrap().velocity.length());
+            assert!(is > was * fx!(0.99), "gap {gap}, case {case}: {is} of {was} is left");
+        }
     }
 }

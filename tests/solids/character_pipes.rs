@@ -82,8 +82,8 @@ fn it_runs_through_a_pipe_up_to_the_wall() {
     }
 }
 
-/// At the end of a pipe the ground falls away, by a slope or another pipe that is too steep to stand
-/// on.
+/// At the end of a pipe the ground falls away, by a slope or another pipe that is too steep to
+/// stand on.
 #[test]
 fn it_leaves_a_pipe_at_whose_end_the_ground_falls_away() {
     for beyond in ["##l.", "##..", "##(."] {
