@@ -253,7 +253,7 @@ pub enum Outcome {
     /// A solid pressed it against something, and it stayed where it was: see
     /// [`Ride::Squashed`](super::Ride::Squashed). It is reported in every frame until that solid
     /// turns back or has passed. A round body may report it for one frame longer. Meanwhile the
-    /// floor and the velocity stay as they were. A one-way solid squashes no character: without
+    /// floor, the velocity and a buffered jump stay as they were. A one-way solid squashes no character: without
     /// room, it passes through.
     Squashed {
         /// The key of the solid.

@@ -27,26 +27,6 @@ pub(super) struct FreeWay {
     room: u8,
 }
 
-/// Whether a body is in front of a face and over it, to the rounding distance. A body also touches
-/// the end of a face at its side, as the top of a wall that is lower than itself, or a one-way face
-/// that it is passing.
-#[inline(never)]
-fn faces<B: Body>(body: &B, a: Raw, dir: Axis, len: i32) -> bool {
-    let n = normal(dir);
-    let (p, r) = body.toward(n.reversed());
-    let gap = along(n, p.sub(a)).wrapping_add(rounding(n) as i64);
-    if gap < 0 || is_below(gap as u64, reach(r, dir)) {
-        return false;
-    }
-    // Of a slope it touches only what it faces, and of a round body the middle decides.
-    if r != 0 || (dir.x != 0 && dir.y != 0) {
-        return true;
-    }
-    let (_, end) = ends(a, dir, len);
-    let ((first, _), (last, _)) = (body.toward(dir.reversed()), body.toward(dir));
-    along(dir, last.sub(a)) > 0 && along(dir, first.sub(end)) < 0
-}
-
 impl FreeWay {
     const FREE: u8 = u8::MAX;
     const UNKNOWN: u8 = u8::MAX - 1;
@@ -178,6 +158,27 @@ impl FreeWay {
             .then_with(|| p.bend.rank().cmp(&q.bend.rank()))
             .is_gt()
     }
+}
+
+/// Whether a body is in front of a face and over it, to the rounding distance.
+///
+/// It also touches a face beside it: the top of a wall that is lower than itself, or a one-way face
+/// that it is passing.
+#[inline(never)]
+fn faces<B: Body>(body: &B, a: Raw, dir: Axis, len: i32) -> bool {
+    let n = normal(dir);
+    let (p, r) = body.toward(n.reversed());
+    let gap = along(n, p.sub(a)).wrapping_add(rounding(n) as i64);
+    if gap < 0 || is_below(gap as u64, reach(r, dir)) {
+        return false;
+    }
+    // Of a slope it touches only what it faces, and of a round body the middle decides.
+    if r != 0 || (dir.x != 0 && dir.y != 0) {
+        return true;
+    }
+    let (_, end) = ends(a, dir, len);
+    let ((first, _), (last, _)) = (body.toward(dir.reversed()), body.toward(dir));
+    along(dir, last.sub(a)) > 0 && along(dir, first.sub(end)) < 0
 }
 
 /// The way of a probe up to its hit, if that binds it. It does if the way is at most the rounding

@@ -31,8 +31,8 @@ pub(super) struct BodyPath {
 
 /// A direction, or none, in a byte, so a path takes 32 bytes.
 ///
-/// The two signs, which component is longer, and how much longer, in 30 steps: equal directions
-/// have equal headings, and directions that have the same one differ by at most two degrees.
+/// The two signs, which component is longer, and how much longer, in 30 steps. Equal directions
+/// have equal headings. Two that have the same one differ by at most two degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Heading(u8);
 

@@ -97,8 +97,8 @@ fn the_side_below_the_end_of_a_floor_stops_nothing() {
     }
 }
 
-/// A body slides down a slope, away from a wall, or past a one-way face that it has half passed. The
-/// top of the wall and the one-way face are beside it, and level.
+/// A body slides down a slope, away from a wall, or past a one-way face that it has half passed.
+/// The top of the wall and the one-way face are beside it, and level.
 fn slides_down(beside: &Path, body: impl Body, name: &str) {
     let unit = |x: i64, y: i64| at(x * UNIT, y * UNIT);
     let slope = [unit(50, 200), unit(100, 150), unit(100, 200)];

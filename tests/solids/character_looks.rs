@@ -131,7 +131,7 @@ fn a_patrol_turns_at_a_pit_as_wide_as_itself() {
     }
 }
 
-/// The search for a gap comes down to a few raw units on a slope, which no walk makes. It ends there
+/// The search for a gap comes down to a few raw units on a slope, which no walk makes. It ends
 /// all the same.
 #[test]
 fn a_look_down_a_slope_into_a_pit_ends() {

@@ -34,8 +34,8 @@ pub(super) struct Stride<'a, 'm, W, B> {
     ahead: Option<(Checkpoint<B>, Toi)>,
     /// The start of the last leg. For a chord, that of the leg that led to it along its pipe.
     before: Checkpoint<B>,
-    /// The centre of the pipe in which it moves by a chord.
-    pipe: Vec2,
+    /// The centre and the quadrant of the pipe in which it moves by a chord.
+    pipe: (Vec2, Axis),
     /// Whether it lands on level ground in this frame.
     lands: bool,
 }
@@ -76,7 +76,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             climbed: None,
             ahead: None,
             before: run.here(),
-            pipe: Vec2::ZERO,
+            pipe: (Vec2::ZERO, Axis::X),
             lands,
             run,
         }
@@ -307,7 +307,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
         let pipe = Pipe { m: at.sub(Raw::of(centre)), r: radius.wrapping_sub(r), quadrant };
         if let Some(chord) = pipe.chord(self.velocity(Toi::ONE), self.run.rest, &Smooth) {
             (self.run.motion, self.run.after, self.run.on_chord) = (chord.way, chord.after, true);
-            self.pipe = centre;
+            self.pipe = (centre, quadrant);
         }
     }
 
@@ -316,15 +316,20 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
     /// the body would creep to the limit, and over it by a rounding.
     fn leave_chord(&mut self, ground: Option<&Ground>) -> bool {
         (self.run.rest, self.run.after, self.run.on_chord) = (self.run.after, Toi::ZERO, false);
-        let Some(ground) = ground else { return false };
-        if self.walker.mover.side(ground.entry.normal) == SurfaceRole::Floor {
-            self.floor = ground.entry.normal;
+        let (centre, quadrant) = self.pipe;
+        let floor = match ground.map(|ground| (ground.entry.normal, ground.feature.geometry)) {
+            Some((normal, _)) if self.walker.mover.side(normal) == SurfaceRole::Floor => Some(normal),
+            Some((_, Geometry::Arc { centre: of, convex: false, .. })) if of == centre => None,
+            // Where the pipe ends there is no ground, or other ground that is too steep, such as
+            // another pipe that falls away there. The body leaves it along its tangent.
+            _ => {
+                let m = self.run.moved.body.toward(quadrant).0.sub(Raw::of(centre));
+                Some(Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg()))
+            }
+        };
+        if let Some(floor) = floor {
+            self.floor = floor;
             return self.run.rest != Toi::ZERO;
-        }
-        // Other ground that is too steep begins where the pipe ends, such as another pipe that falls
-        // away there: the body leaves that.
-        if !matches!(ground.feature.geometry, Geometry::Arc { centre, convex: false, .. } if centre == self.pipe) {
-            return false;
         }
         self.run.put_back(self.before);
         self.run.moved.wall = true;
