@@ -52,7 +52,8 @@ impl Kernel for Aabb {
                 // A box reaches beyond the slope's line exactly if its corner nearest to the line
                 // does. The normal is (dir.y, -dir.x).
                 let (corner, _) = self.toward(dir.perp());
-                sweep_slope((corner, self.extent()), 0, d, &Face { a: Raw::of(a), dir, len, joined })
+                let joined = self.stopped_by_ends(dir, d, joined);
+                sweep_slope(corner, 0, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } => sweep_peak(self.lo(), self.hi(), d, Raw::of(p), e_in, e_out),
             Geometry::Arc { .. } => None,
@@ -144,7 +145,7 @@ impl Kernel for Circle {
         let (c, r) = (self.c(), self.r());
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
-                sweep_slope((c, Raw::ZERO), r, d, &Face { a: Raw::of(a), dir, len, joined })
+                sweep_slope(c, r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
                 sweep_cone(c.sub(Raw::of(p)), r, d, e_in, e_out)
@@ -200,6 +201,22 @@ impl Kernel for Circle {
 
     fn is_inside<W: World>(world: &W, p: Raw) -> bool {
         world.overlaps_circle(&Self::from_raw_unchecked(p, 0))
+    }
+}
+
+impl Aabb {
+    /// Which ends of a slope stop this box, if it meets only the end. Those that are joined do.
+    ///
+    /// A box without width or height moves with its side over the face, too. Another box then meets
+    /// the next part of the surface.
+    fn stopped_by_ends(&self, dir: Axis, d: Raw, joined: [bool; 2]) -> [bool; 2] {
+        let size = Raw::of(self.size());
+        let over = match (size.x == 0, size.y == 0) {
+            (false, true) => dir.y.signum().wrapping_mul(d.y.signum()),
+            (true, false) => dir.x.signum().wrapping_mul(d.x.signum()),
+            _ => 0,
+        };
+        [joined[0] || over > 0, joined[1] || over < 0]
     }
 }
 

@@ -68,7 +68,7 @@ impl Kernel for Capsule {
         match feature.geometry {
             Geometry::Face { a, dir, len, joined } if dir.x != 0 && dir.y != 0 => {
                 let (end, _) = self.toward(dir.perp());
-                sweep_slope((end, Raw::ZERO), r, d, &Face { a: Raw::of(a), dir, len, joined })
+                sweep_slope(end, r, d, &Face { a: Raw::of(a), dir, len, joined })
             }
             Geometry::Vertex { p, e_in, e_out } if !is_square(e_in, e_out) => {
                 self.sweep_corner(d, Raw::of(p), e_in, e_out)

@@ -243,7 +243,7 @@ fn sweep_side(core: Core<'_>, corner: usize, p: Raw, radius: i32, d: Raw) -> Opt
         let (dir, len) = (Axis::new(e.x.signum(), e.y.signum()), e.x.wrapping_add(e.y).wrapping_abs());
         sweep_face((p, p), radius, back, &Face { a, dir, len, joined: [false; 2] })
     } else {
-        sweep_slope((p, Raw::ZERO), radius, back, &Face { a, dir: Axis::new(e.x, e.y), len: 1, joined: [false; 2] })
+        sweep_slope(p, radius, back, &Face { a, dir: Axis::new(e.x, e.y), len: 1, joined: [false; 2] })
     }?;
     Some(Entry { normal: entry.normal.reversed(), ..entry })
 }

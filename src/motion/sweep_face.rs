@@ -69,8 +69,8 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
     Raw { x: reach, y: along }.dot(Raw { x: into, y: gap }).signum() as i32
 }
 
-/// Entry of the disc of radius `r` around `c` through the face. Radius 0 is a point, or the corner
-/// of a box of this extent.
+/// Entry of the disc of radius `r` around `c` through the face. Radius 0 is a point, such as the
+/// corner of a box.
 ///
 /// In units of |dir|, the centre's height over the face's line, `gap`, is an integer. It is
 /// compared with r |dir| by squares. The disc must start entirely in front, end nearer than its
@@ -80,8 +80,8 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
 /// A point passes over the part of the slope on the side of an end where the line of its motion
 /// runs. With m from the end to the point, that side is `sign(m x d)`, for any direction of the
 /// slope: the time of crossing cancels out. An end counts as in [`sweep_face`]. The corner of a box
-/// enters there if it [moves over](moves_over) the face. Otherwise the motion leads along x or y
-/// into the next part of the surface that the box could be on. A box without width or height has no
+/// enters there if it moves over the face. The motion into the face then leads along x or y into
+/// the next part of the surface that the box could be on, too. A box without width or height has no
 /// such part: an acute corner that it only grazes may stop it.
 ///
 /// ```text
@@ -93,7 +93,7 @@ pub(super) fn over(reach: i32, along: i32, gap: i32, into: i32) -> i32 {
 ///       solid `---..
 /// ```
 #[inline(never)]
-pub(super) fn sweep_slope((c, extent): (Raw, Raw), r: i32, d: Raw, face: &Face) -> Option<Entry> {
+pub(super) fn sweep_slope(c: Raw, r: i32, d: Raw, face: &Face) -> Option<Entry> {
     let Face { a, dir, len, joined } = *face;
     let normal = crate::world::normal(dir);
     let into = along(normal, d).wrapping_neg();
@@ -119,30 +119,14 @@ pub(super) fn sweep_slope((c, extent): (Raw, Raw), r: i32, d: Raw, face: &Face) 
         return Some(Entry { num: time.raw(), den: Toi::ONE.raw(), normal, at_end: false, step: None });
     }
     let (over_start, over_end) = (m.cross(d), end.cross(d).wrapping_neg());
-    let meets = |over: i64, into_face: Axis, joined: bool| {
-        over > 0 || (over == 0 && (joined || moves_over(extent, d, into_face)))
-    };
-    if !meets(over_start, dir, joined[0]) || !meets(over_end, dir.reversed(), joined[1]) {
+    let forth = along(dir, d);
+    let meets = |over: i64, moving_over: bool, joined: bool| over > 0 || (over == 0 && (moving_over || joined));
+    if !meets(over_start, forth > 0, joined[0]) || !meets(over_end, forth < 0, joined[1]) {
         return None;
     }
     let at_end = (over_start == 0 && !joined[0]) || (over_end == 0 && !joined[1]);
     let (num, den) = fraction(gap as u64, into as u64);
     Some(Entry { num, den, normal, at_end, step: None })
-}
-
-/// Whether a box that meets only the end of a face moves over the face, which begins there in this
-/// direction.
-///
-/// Its corner may. If the box has no width or no height, its side may: a body with both then meets
-/// the next part of the surface.
-#[inline(never)]
-fn moves_over(extent: Raw, d: Raw, dir: Axis) -> bool {
-    let side = match (extent.x == 0, extent.y == 0) {
-        (false, true) => Raw { x: 0, y: d.y },
-        (true, false) => Raw { x: d.x, y: 0 },
-        _ => d,
-    };
-    along(dir, d) > 0 || along(dir, side) > 0
 }
 
 /// `num / den` with a divisor that fits an [`Entry`]. Exact if it already fits, as for all slopes

@@ -64,10 +64,10 @@ impl Walker {
     /// That costs up to a fifth of the frame's way once, and more if corners follow each other
     /// within a frame. Through a quarter pipe it moves by chords, and stops before the slope passes
     /// the limit. Mirrored scenes give mirrored bits, with the exceptions of
-    /// [`Mover::move_and_slide`]. A box or polygon that snaps into a V and meets both slopes at once
-    /// takes the one whose normal points to +x. Tiles and polygons of the same ground give the same
-    /// bits to boxes, circles and capsules. Exceptions are corners that a box meets to the raw unit,
-    /// and steps onto ledges that overhang.
+    /// [`Mover::move_and_slide`]. A box or polygon that snaps into a V and meets both slopes at
+    /// once takes the one whose normal points to +x. Tiles and polygons of the same ground give the
+    /// same bits to boxes, circles and capsules. Exceptions are corners that a box meets to the raw
+    /// unit, and steps onto ledges that overhang.
     ///
     /// A walker stops up to 4 raw units before a wall.
     ///
