@@ -146,7 +146,7 @@ games=(
     'scene_blocks:a scene of 30 balls and boxes, among blocks:88500:6000:86000:6000'
     'scene_blocks_lifts:a scene of 30 balls and boxes with lifts, among blocks:101500:6000:99000:6000'
     'scene_blocks_hero:a scene of 30 balls and boxes with a hero, among blocks:109500:6000:106500:6000'
-    'scene_blocks_planks:a scene of 30 balls and boxes with planks, among blocks:131000:6000:131000:6000'
+    'scene_blocks_planks:a scene of 30 balls and boxes with planks, among blocks:132000:6000:132000:6000'
     'game_bullets:240 bullets, 32 enemies, pairs and events:70500:13800:70500:13800'
 )
 

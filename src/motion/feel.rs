@@ -253,8 +253,8 @@ pub enum Outcome {
     /// A solid pressed it against something, and it stayed where it was: see
     /// [`Ride::Squashed`](super::Ride::Squashed). It is reported in every frame until that solid
     /// turns back or has passed. A round body may report it for one frame longer. Meanwhile the
-    /// floor, the velocity and a buffered jump stay as they were. A one-way solid squashes no character: without
-    /// room, it passes through.
+    /// floor, the velocity and a buffered jump stay as they were. A one-way solid squashes no
+    /// character: without room, it passes through.
     Squashed {
         /// The key of the solid.
         by: u16,
