@@ -29,8 +29,8 @@ fn main() -> ! {
     table.end()
 }
 
-/// Once those that roll and slide have come to rest. One ball never does: it repeats 22 steps, more
-/// than the places hold.
+/// Once those that roll and slide have come to rest. A ball and the box that it leans on never do:
+/// they repeat 22 steps with a motion each, which is more than the places hold.
 fn rows(table: &Table, scene: &mut Bodies<PLACES>) -> Option<()> {
     let map = level()?;
     fill(scene, &map)?;
