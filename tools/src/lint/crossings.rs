@@ -73,6 +73,11 @@ fn shared_end(scene: &mut Scene<'_>, [s, t]: [&Edge; 2], at: Point) {
 fn crossing(scene: &mut Scene<'_>, edges: [&Edge; 2], who: Vec<Who>, at: Point) {
     let [s, t] = edges;
     if s.outline == t.outline {
+        // Their union keeps what lies over each other.
+        if s.outline.is_some_and(|outline| scene.drawing.outlines[outline].title.is_tiles()) {
+            let why = "a body may catch where they cross: no corner is there; move one, or cut it off at the other";
+            return scene.say((Warning, "crossing"), who, at, "collision shapes of tiles cross", why);
+        }
         let why = "inside and outside change places there";
         let severity = if s.side == Side::Solid { Error } else { Warning };
         return scene.say((severity, "self-crossing"), who, at, "the outline crosses itself", why);

@@ -35,6 +35,7 @@ impl Layers<'_> {
                 .collect();
             let (count, over, beside) = self.laid(sheet, &drawn);
             let what = format!("{} of layer '{}'", words::several(count, "tile"), sheet.layer.name);
+            let are = if count == 1 { "is" } else { "are" };
             if over > 1 && (over > beside || over * SLIPS >= count) {
                 let own = piece::own_cells(self.map);
                 for entry in all {
@@ -49,7 +50,7 @@ impl Layers<'_> {
                 ));
             } else if beside * 2 < count {
                 self.note(format!(
-                    "GUESS: {what}, larger than cells, are solid as drawn; collision shapes in \
+                    "GUESS: {what}, larger than cells, {are} solid as drawn; collision shapes in \
                      Tiled settle it"
                 ));
             }

@@ -2,7 +2,7 @@
 //! arguments and bad files.
 
 use crate::lint_cases::CASES;
-use crate::support::{self, Ran, objects, own, rows, scratch};
+use crate::support::{self, Ran, layered, objects, own, rows, scratch};
 
 fn run(name: &str, level: impl AsRef<[u8]>, options: &str) -> Ran {
     let path = scratch("lint", name, level);
@@ -91,6 +91,27 @@ fn tiles() {
         .replace("</objectgroup>", r#"<object id="9" y="10" width="64" height="6"/></objectgroup>"#);
     let lines = said("both", &both, "");
     assert!(lines.len() == 1 && lines[0].starts_with("warning unreachable at (32, 16): tile layer"), "{lines:?}");
+}
+
+/// Collision shapes of two layers join, and lie over each other. Their union is solid. So the
+/// inside is clear, but bodies may catch at the borders.
+#[test]
+fn shapes_of_tiles_that_cross() {
+    let shape = |id: u32, points: &str| {
+        format!(
+            r#"<tile id="{id}"><objectgroup><object id="1" x="0" y="0"><polygon points="{points}"/></object></objectgroup></tile>"#
+        )
+    };
+    let tiles = shape(0, "0,1 8,0 8,16 0,15") + &shape(1, "8,0 16,1 16,15 4,12 8,8");
+    let lines = said(
+        "crossed_tiles",
+        &layered(&[("A", "1,0,0,0,0,0,0,0,0,0,0,0"), ("B", "2,0,0,0,0,0,0,0,0,0,0,0")], &tiles, ""),
+        "",
+    );
+    let crossing =
+        |line: &&String| line.contains("warning crossing") && line.contains("collision shapes of tiles cross");
+    assert!(lines.iter().filter(crossing).count() > 0, "{lines:?}");
+    assert!(!lines.iter().any(|line| line.contains("self-crossing")), "{lines:?}");
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn solid(rows: &[&str], size: (u32, u32), tile: &str, options: &str) -> (String,
 const SOLID: &str = r#"<tile id="0" type="Solid"/>"#;
 const ROOM: &[&str] = &["........", "########", "#......#", "#......#", "#......#", "########"];
 const OVER: &str = "larger than cells, lie over each other, so only their cells are solid";
-const DRAWN: &str = "larger than cells, are solid as drawn";
+const ONE_DRAWN: &str = "1 tile of layer 'World', larger than cells, is solid as drawn";
 
 /// A room is as large as its cells: its walls are two cells high only in the picture.
 #[test]
@@ -53,7 +53,7 @@ fn large_blocks() {
     assert!(!said.contains("larger than cells"), "{said}");
     // Nothing is beside a single one.
     let (cells, said) = solid(&["....", "....", ".#.."], (16, 32), SOLID, "");
-    assert!(cells == ".... .#.. .#.." && said.contains(DRAWN), "{cells} {said}");
+    assert!(cells == ".... .#.. .#.." && said.contains(ONE_DRAWN), "{cells} {said}");
     // One of many is in a wrong cell.
     let rows: Vec<String> = (0..8).map(|y| if y % 2 == 1 { "#.".repeat(8) } else { "..".repeat(8) }).collect();
     let mut rows: Vec<&str> = rows.iter().map(String::as_str).collect();
