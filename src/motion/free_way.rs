@@ -5,7 +5,7 @@ use super::body::{Body, Entry, by_size};
 use super::contact::{Bend, Plane, touched};
 use super::plane::{FAR, NEAR, across, into, part, rounding, way};
 use crate::num::{Axis, Raw, cmp_squares, mul_div};
-use crate::query::cast::moment::{along, is_below, reach};
+use crate::query::cast::side::{along, is_below, reach};
 use crate::world::{Feature, Geometry, World, ends, normal};
 use core::cmp::Ordering;
 

@@ -273,7 +273,8 @@ impl Pipe {
     }
 }
 
-fn inward(m: Raw) -> Axis {
+/// The normal of a pipe at a point, relative to its centre.
+pub(super) fn inward(m: Raw) -> Axis {
     Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg())
 }
 

@@ -6,7 +6,7 @@ use super::walker::{SlopeSpeed, Walker};
 use crate::motion::body::Body;
 use crate::motion::contact::touched;
 use crate::motion::free_way::FreeWay;
-use crate::motion::plane::{NEAR, Pipe, across, lies_along, may_be_askew, project, tangent, tangential, way};
+use crate::motion::plane::{NEAR, Pipe, across, inward, lies_along, may_be_askew, project, tangent, tangential, way};
 use crate::motion::response::Smooth;
 use crate::motion::run::{Checkpoint, Run, check_inside};
 use crate::motion::slope_limit::SurfaceRole;
@@ -192,13 +192,9 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
                 }
                 true
             }
-            // It is over the step now. The rest of the frame meets the walls that still block.
-            _ if climbs => {
-                self.run.moved.wall = false;
-                true
-            }
-            // It goes on, past a corner that roundings made it meet.
-            _ if self.squeeze() => {
+            // It goes on: over the step now, or past a corner that roundings made it meet. The rest
+            // of the frame meets the walls that still block.
+            _ if climbs || self.squeeze() => {
                 self.run.moved.wall = false;
                 true
             }
@@ -322,10 +318,7 @@ impl<'a, 'm, W: World, B: Body> Stride<'a, 'm, W, B> {
             Some((_, Geometry::Arc { centre: of, convex: false, .. })) if of == centre => None,
             // Where the pipe ends there is no ground, or other ground that is too steep, such as
             // another pipe that falls away there. The body leaves it along its tangent.
-            _ => {
-                let m = self.run.moved.body.toward(quadrant).0.sub(Raw::of(centre));
-                Some(Axis::new(m.x.wrapping_neg(), m.y.wrapping_neg()))
-            }
+            _ => Some(inward(self.run.moved.body.toward(quadrant).0.sub(Raw::of(centre)))),
         };
         if let Some(floor) = floor {
             self.floor = floor;
