@@ -24,6 +24,11 @@ impl<S: Law> Mover<S> {
         around: &mut Around,
     ) -> Result<Moved<B>, MoveError> {
         let (d, bounds) = (Raw::of(velocity), body.bounds());
+        if pieces == 1 {
+            if let Some(moved) = self.slides_on_block(world, body, d, around) {
+                return Ok(moved);
+            }
+        }
         let mut found = Found { work: Work { iterations: 1, features: 0, checks: 0 }, inside: false, guarded: false };
         let mut first = First::none();
         if is_by_lines::<W, B>() {

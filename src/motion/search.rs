@@ -113,6 +113,11 @@ impl Around {
         self.seen.held.as_ref()
     }
 
+    /// Whether the region that was looked at is inside the domain.
+    pub(super) fn is_inside(&self) -> bool {
+        is_inside(&self.region)
+    }
+
     /// Whether the region that was looked at is empty.
     pub(super) fn is_empty(&self) -> bool {
         self.seen.held.is_none()
@@ -194,9 +199,7 @@ impl<'a, B: Body> Search<'a, B> {
     pub(super) fn find_first_in<W: World>(&mut self, world: &W, pieces: u32, d: Raw, first: &mut First) {
         match self.around.known_cells() {
             Some(mut cells) if W::GRID && pieces == 1 => {
-                if !self.lies_on_block(world, &cells, d, first) {
-                    self.meet_cells(world, &mut cells, d, first);
-                }
+                self.meet_cells(world, &mut cells, d, first);
             }
             _ => self.find_in_pieces(world, pieces, d, first),
         }

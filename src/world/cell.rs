@@ -108,9 +108,10 @@ impl Cells {
     /// A walk without a cell.
     pub(crate) const NONE: Self = Self::of(Range::NONE);
 
-    /// Whether it is over one cell, before or after that.
-    pub(crate) const fn is_of_one(&self) -> bool {
-        self.range.x0 == self.range.x1 && self.range.y0 == self.range.y1
+    /// How many columns it is over, before or after that, if it is over one row.
+    pub(crate) const fn row_width(&self) -> Option<u32> {
+        let Range { x0, y0, x1, y1 } = self.range;
+        if y0 == y1 { Some((x1.wrapping_sub(x0) as u32).wrapping_add(1)) } else { None }
     }
 
     pub(in crate::world) const fn of(range: Range) -> Self {
