@@ -4,7 +4,7 @@ use super::Stuck;
 use super::body::{Body, kernel::Kernel};
 use super::cast::cast_in;
 use super::run::check_inside;
-use crate::num::Raw;
+use crate::num::{Fx, Raw, UnitVec2, mul_div};
 use crate::shape::Circle;
 use crate::world::{Inside, OneWay, Pushable, World, WorldContact, contacts_of};
 
@@ -44,8 +44,9 @@ const PUSHES: usize = 4;
 /// is returned unchanged.
 ///
 /// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts), which is
-/// the nearest. It is the depth, rounded up to raw units, and at most 4 raw more. So a push never
-/// goes farther than the surface that the body reaches. There is no way out deep inside the solid,
+/// the nearest. It is the depth, rounded up to raw units, and at most 4 raw more. If it would lead
+/// back into a surface that the body has left, it goes on along its own surface until the body is
+/// out of both. So a nook of two walls takes two pushes. There is no way out deep inside the solid,
 /// where the body reaches no surface, and in gaps narrower than the body. One-way faces do not
 /// count.
 ///
@@ -74,16 +75,22 @@ const PUSHES: usize = 4;
 /// [`Stuck`] if no push within the domain frees the body.
 pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, Stuck> {
     let mut contacts = heapless::Vec::<_, PUSHES>::new();
-    let mut pushed = *body;
-    for left in (0..=PUSHES).rev() {
+    let mut left = heapless::Vec::<LeftSurface, PUSHES>::new();
+    let (mut pushed, mut made) = (*body, Raw::ZERO);
+    loop {
         if !pushed.overlaps_world(world) {
             return Ok(pushed);
         }
         // More contacts than fit are no error here.
         let _ = contacts_of(world, &pushed, OneWay::Ignore, &mut contacts);
-        let push = contacts.first().and_then(|contact| push_of(&pushed, contact));
-        let (Some(push), 1..) = (push, left) else { break };
-        pushed = pushed.shifted(push);
+        let Some(contact) = contacts.first() else { break };
+        let here = LeftSurface { normal: contact.axis().unit(), at: made.add(Raw::of(contact.push_out())) };
+        let back = left.iter().find_map(|earlier| here.along_until_out_of(earlier));
+        let to = here.at.add(back.unwrap_or(Raw::ZERO));
+        if left.push(here).is_err() || check_inside(&Kernel::bounds(body), to).is_err() {
+            break;
+        }
+        (pushed, made) = (body.shifted(to), to);
     }
     let _ = contacts_of(world, body, OneWay::Ignore, &mut contacts);
     let mut free: Option<Raw> = None;
@@ -94,6 +101,30 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
         }
     }
     free.map(|push| body.shifted(push)).ok_or(Stuck { at: body.position().raw() })
+}
+
+/// A surface that a body has left, and the displacement with which it lay on it.
+struct LeftSurface {
+    normal: UnitVec2,
+    at: Raw,
+}
+
+impl LeftSurface {
+    /// The way along this surface until the body is out of an earlier one, if it is not.
+    fn along_until_out_of(&self, earlier: &Self) -> Option<Raw> {
+        let of = |unit: UnitVec2| Raw { x: unit.raw().0, y: unit.raw().1 };
+        let (n, m) = (of(self.normal), of(earlier.normal));
+        // Unit vectors are in parts of 2^30, displacements below 2^30.
+        let behind = m.dot(earlier.at.sub(self.at)) >> 30;
+        if behind <= 0 {
+            return None;
+        }
+        let sine = n.cross(m) >> 30;
+        let length = mul_div(behind as u32 + 2, 1 << 30, sine.unsigned_abs() as u32);
+        let length = if sine < 0 { (length as i32).wrapping_neg() } else { length as i32 };
+        let along = UnitVec2::from_raw(n.y.wrapping_neg(), n.x).scaled(Fx::from_bits(length));
+        Some(Raw::of(along))
+    }
 }
 
 /// The push out of one feature, unless it leaves the domain.

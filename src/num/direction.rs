@@ -232,7 +232,7 @@ impl UnitVec2 {
     /// To the right.
     pub const X: Self = Self::from_raw(1 << 30, 0);
 
-    pub(super) const fn from_raw(x: i32, y: i32) -> Self {
+    pub(crate) const fn from_raw(x: i32, y: i32) -> Self {
         Self { x: I2F30::from_bits(x), y: I2F30::from_bits(y) }
     }
 

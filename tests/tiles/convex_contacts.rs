@@ -6,8 +6,8 @@ use tilesat::prelude::*;
 use tilesat::shape::AnyShape;
 use tilesat::world::{OneWay, Pushable, WorldContact};
 use tilesat::{
-    Aabb, AllShapes, Axis, Body, Capsule, ConvexPolygon, Fx, Grid, OrientedBox, Outside, TileKind, TileKinds, TileMap,
-    TileShape, Vec2, world::Geometry,
+    Aabb, AllShapes, Axis, Body, Capsule, ConvexPolygon, Fx, Grid, Mover, OrientedBox, Outside, TileKind, TileKinds,
+    TileMap, TileShape, Vec2, world::Geometry,
 };
 use tilesat_judge::{Random, cases};
 
@@ -182,7 +182,7 @@ fn bodies_escape_from_random_levels() {
         }
     }
     println!("{freed} freed, {stuck} stuck, {deep} deep");
-    assert!(freed > 16 * stuck, "{freed} {stuck} {deep}");
+    assert!(freed > 100 * stuck, "{freed} {stuck} {deep}");
 }
 
 /// Turned in a room of thin walls: free, on its side of every wall, or refused.
@@ -226,5 +226,45 @@ fn turning_never_ends_inside() {
         }
     }
     println!("{same} as asked, {pushed} pushed, {refused} refused");
-    assert!(same > 100 && pushed > 100 && refused > 10, "{same} {pushed} {refused}");
+    assert!(same > 100 && pushed > 100 && refused > 5, "{same} {pushed} {refused}");
+}
+
+/// A box that lies in a nook turns by up to twelve degrees wherever a free place is within a sixth
+/// of its size, but for one in fifty. One push after another, each for itself, refused one in twelve.
+#[test]
+fn bodies_turn_in_nooks() {
+    let mut random = Random::new(95);
+    let (mut pushed, mut refused) = (0u64, 0u64);
+    for _ in 0..cases(6_000) {
+        let mut tiles = [0; SIDE * SIDE];
+        tiles.fill_with(|| if random.one_in(4) { random.below(34) as u8 } else { 0 });
+        let map = level(&tiles).with_outside(Outside::Solid);
+        let half = raw(random.within(2 << 16, 12 << 16), random.within(2 << 16, 8 << 16));
+        let c = raw(random.within(10 << 16, 86 << 16), random.within(10 << 16, 86 << 16));
+        let turns = Fx::from_bits(random.below(1 << 16) as i32);
+        let mut body = OrientedBox::new(c, half, Axis::from_turns(turns)).unwrap();
+        if map.overlaps(&body) {
+            continue;
+        }
+        let gravity = raw(random.around(4 << 16), random.around(4 << 16));
+        for _ in 0..20 {
+            let Ok(moved) = Mover::new().move_and_slide(&map, &body, gravity) else { break };
+            body = moved.body;
+        }
+        let turns = turns + Fx::from_bits(random.around(2_200) as i32);
+        let turned = OrientedBox::new(body.position(), half, Axis::from_turns(turns)).unwrap();
+        match turn(&map, &body, &turned) {
+            Ok(free) => pushed += u64::from(free != turned),
+            Err(_) => {
+                let step = half.x.max(half.y).to_bits() / 6 / 16;
+                let mut ways = (0..33 * 33).map(|k| (k % 33 - 16, k / 33 - 16)).filter(|(x, y)| x * x + y * y <= 256);
+                refused += u64::from(ways.any(|(x, y)| {
+                    let free = turned.translated(Vec2::from_raw(x * step, y * step)).unwrap();
+                    !map.overlaps(&free) && map.line_of_sight(body.position(), free.position()).unwrap()
+                }));
+            }
+        }
+    }
+    println!("{pushed} pushed, {refused} refused with room");
+    assert!(pushed > 100 && 50 * refused < pushed, "{pushed} {refused}");
 }
