@@ -102,7 +102,7 @@ impl<B: Body> Character<B> {
                 jumps: false,
                 wish: 0,
                 away: u8::MAX,
-                flipped: false,
+                flipped: feel.gravity.to_bits() < 0,
                 wall: 0,
                 wall_age: u8::MAX,
             },
@@ -226,7 +226,7 @@ impl<B: Body> Character<B> {
     }
 
     pub(super) const fn mover(&self) -> Mover {
-        Mover::platformer(if self.falls_to_larger_y() { Axis::NEG_Y } else { Axis::Y })
+        mover(self.falls_to_larger_y())
     }
 
     /// Whether it falls toward larger y, as on a screen.
@@ -270,6 +270,11 @@ impl<B: Body> Character<B> {
         let beside = bounds.hi().x < lo.x || bounds.lo().x > hi.x;
         beside || if self.falls_to_larger_y() { bounds.lo().y > hi.y } else { bounds.hi().y < lo.y }
     }
+}
+
+/// The mover of a character that falls toward larger y, or smaller.
+pub(super) const fn mover(to_larger_y: bool) -> Mover {
+    Mover::platformer(if to_larger_y { Axis::NEG_Y } else { Axis::Y })
 }
 
 /// The outcome that a refused motion means. The remaining errors are the caller's.

@@ -100,6 +100,9 @@ pub struct Feel {
     /// The velocity gained per frame. A positive value pulls toward larger y, as on a screen. A
     /// negative one pulls toward smaller y, and "up" follows. While it is 0, as on a ladder, "up"
     /// stays where it was.
+    ///
+    /// If you turn it while the character stands, it leaves the floor in the next step. It keeps
+    /// its run and the motion of a solid under it. That floor gives no coyote time.
     pub gravity: Fx,
     /// The fastest fall. After leaving a solid that sinks, it is faster by the speed of the solid,
     /// with [`OnLeave::Keep`].
@@ -138,7 +141,7 @@ pub struct Feel {
     /// [`coyote`](Self::coyote) frames. The same wall can be used again, so a small speed lets it
     /// climb a single wall.
     pub wall_jump: Option<Fx>,
-    /// The fastest fall while the body runs against a wall. `None`: the same as elsewhere.
+    /// The fastest fall while the body runs against a wall, or did so in the last frame. `None`: the same as elsewhere.
     pub wall_slide: Option<Fx>,
     /// What happens to a solid's motion when the body leaves the solid.
     pub on_leave: OnLeave,

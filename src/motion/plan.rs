@@ -3,13 +3,15 @@
 use super::character::Character;
 use super::feel::{Input, OnLeave};
 use super::walk::CONTACT;
-use super::{Body, Walker};
+use super::{Body, Support, Walker};
 use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
 
 /// The plan of a frame: the velocity, and the walker that will make it.
 pub(super) struct Plan {
     pub(super) walker: Walker,
+    /// The floor on which it stands.
+    pub(super) floor: Option<Support>,
     /// The motion still to make in this frame.
     pub(super) velocity: Vec2,
     /// The part of the motion that a solid has already made.
@@ -33,21 +35,21 @@ struct Speeds {
 impl<B: Body> Character<B> {
     /// Updates the timers, and returns the velocity of this frame after all rules.
     pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
-        if self.feel.gravity != 0 {
-            self.memory.flipped = self.feel.gravity < 0;
-        }
-        let stands = self.floor.is_some();
+        self.heed_gravity();
+        // If gravity has turned since, what it stood on is no floor: it leaves that in this frame.
+        let floor = self.floor.filter(|floor| (floor.axis.y < 0) == self.falls_to_larger_y());
+        let (stood, stands) = (self.floor.is_some(), floor.is_some());
         self.count_frames(input.jump, stands);
-        let keeps = stands || self.feel.on_leave == OnLeave::Keep;
+        let keeps = stood || self.feel.on_leave == OnLeave::Keep;
         let mut speeds = self.run_and_fall(input.run, if keeps { self.memory.base } else { Vec2::ZERO }, stands);
         let launched = speeds.fall < 0 && self.falls() < self.downward(self.memory.left);
         if launched {
             (self.memory.away, self.memory.jumps) = (u8::MAX, false);
         }
-        if stands {
+        if stood {
             self.memory.base = carry; // if it leaves the floor in this frame
         }
-        let drops = input.drop && self.floor.is_some_and(|floor| floor.one_way);
+        let drops = input.drop && floor.is_some_and(|floor| floor.one_way);
         let jumped = self.memory.wish > 0 && !drops && self.jump(&mut speeds, !launched, stands);
         if stands && jumped && self.feel.on_leave == OnLeave::AddUpward && self.downward(carry.y) > 0 {
             self.memory.base.y = Fx::ZERO;
@@ -60,9 +62,9 @@ impl<B: Body> Character<B> {
         self.count_drop(drops, carry, speeds.fall);
         let base = if keeps { self.memory.base } else { Vec2::ZERO };
         let velocity = Vec2::new(speeds.run, self.downward(speeds.fall)) + base;
-        let made = if stands { carry } else { already_made(velocity, base, carry) };
+        let made = if stood { carry } else { already_made(velocity, base, carry) };
         let walks = stands && !(jumped || launched || drops);
-        Ok(Plan { walker, velocity: velocity - made, made, jumped, drops, walks })
+        Ok(Plan { walker, floor, velocity: velocity - made, made, jumped, drops, walks })
     }
 
     /// How far the body may come from its position in the next step, on each axis. A walk along x
@@ -75,6 +77,15 @@ impl<B: Body> Character<B> {
         let [x, y] = [plan.velocity.x, plan.velocity.y].map(|c| c.to_bits().unsigned_abs());
         let [snap, step] = [self.feel.snap, self.feel.step].map(|c| c.to_bits().unsigned_abs());
         Ok([y, x, snap, step, CONTACT as u32].into_iter().fold(x, u32::saturating_add))
+    }
+
+    /// Remembers where gravity pulls. If it has turned, the floor that the character left gives no
+    /// coyote time.
+    pub(super) fn heed_gravity(&mut self) {
+        let flipped = !self.falls_to_larger_y();
+        if flipped != self.memory.flipped {
+            (self.memory.flipped, self.memory.away) = (flipped, u8::MAX);
+        }
     }
 
     /// Counts the frames since it stood and since it was at a wall, and those for which a press

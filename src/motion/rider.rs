@@ -1,6 +1,6 @@
 //! Characters among moving solids.
 
-use super::character::refused;
+use super::character::{mover, refused};
 use super::feel::{Input, Outcome, Step};
 use super::{Body, Character, MoveError, Mover, Ridden, Ride};
 use crate::error::RangeError;
@@ -88,8 +88,9 @@ impl<B: Body> Character<B> {
     /// per frame. For several characters on the same solids, use [`step_all`](Self::step_all).
     ///
     /// A character that leaves a solid keeps the solid's motion, whether by a jump, a drop, a
-    /// launch, or over the edge. Relative to a solid that keeps its motion, the flight is the same
-    /// as from still ground. There is one exception. Solids move first, so a solid that sinks may
+    /// launch, or over the edge. If you remove the solid or put it elsewhere, the motion is lost.
+    /// Relative to a solid that keeps its motion, the flight is the same as from still ground.
+    /// There is one exception. Solids move first, so a solid that sinks may
     /// stop the fall of a body for a frame, if the body ran off its front.
     ///
     /// In the frame of a jump, the ride makes the solid's part of the motion, and the walk makes
@@ -241,7 +242,9 @@ impl<B: Body> Character<B> {
         let follow = if self.floor.is_some() { self.feel.snap } else { self.falls().saturating_add(self.pull()) };
         // It drops from a one-way solid after the ride, which carries it.
         let stands = self.floor.is_some_and(|floor| floor.one_way) && self.ridden().is_some();
-        let mover = self.mover().with_drop_through(self.passes(drop) && !stands);
+        // Solids move first. A character for which gravity has turned still stands on its old floor.
+        let to_larger_y = self.floor.map_or(self.falls_to_larger_y(), |floor| floor.axis.y < 0);
+        let mover = mover(to_larger_y).with_drop_through(self.passes(drop) && !stands);
         // Numbers that no walker or motion may have are errors of the step, under the names that
         // they have there.
         let follow = follow.clamp(Fx::ZERO, Fx::from_bits(MOTION - 1));
@@ -279,7 +282,10 @@ impl<B: Body> Character<B> {
     ) -> Result<Step, RangeError> {
         match ridden? {
             (Outcome::Moved, carry) => self.step_carried(&Joined::new(level, &M::level(solids)), input, carry),
-            (outcome, _) => Ok(Step::nothing(outcome)),
+            (outcome, _) => {
+                self.heed_gravity();
+                Ok(Step::nothing(outcome))
+            }
         }
     }
 }

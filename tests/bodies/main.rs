@@ -15,6 +15,7 @@ mod fast_curves;
 mod fast_overlaps;
 mod fast_pressed;
 mod filters;
+mod gravity_flips;
 mod hanging;
 mod heaps;
 mod kept_out;

@@ -31,7 +31,8 @@ pub enum SlopeSpeed {
 /// It stands while you pass the `floor` of the last frame to [`walk`](Self::walk) and its velocity
 /// does not rise. Otherwise it flies as with [`Mover::move_and_slide`] and lands on the first floor
 /// that it meets. Ground steeper than the mover's [slope limit](Mover::with_slope_limit) is wall. A
-/// walker stops there, and slides down a steep slope that it falls on.
+/// walker stops there, and slides down a steep slope that it falls on. If you change "up", pass
+/// `None` in that frame: the old floor is no floor then.
 ///
 /// Plain data: a copy is a snapshot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
