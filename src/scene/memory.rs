@@ -6,7 +6,7 @@
 //! back. Two motions are equal if the body, its position and the causes are equal.
 
 use super::body::Slot;
-use super::body_path::{Drift, size};
+use super::body_path::{Drift, Pace, size};
 use super::pressed::Pressed;
 use crate::motion::{Hit, Hits, Moved};
 use crate::num::Vec2;
@@ -68,6 +68,8 @@ pub(super) struct Start {
     pub(super) quiet: u8,
     pub(super) blocked: u8,
     pub(super) drift: Drift,
+    /// Whether it moved after all bodies below it.
+    pub(super) lies: bool,
 }
 
 impl Start {
@@ -78,6 +80,7 @@ impl Start {
             quiet: slot.quiet,
             blocked: slot.blocked,
             drift: slot.tally.drift,
+            lies: slot.path.pace == Pace::Lies,
         }
     }
 }

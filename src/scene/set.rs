@@ -173,9 +173,9 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// A scene that remembers how bodies at rest lie, in the first M of its N slots.
     ///
     /// A body that lies tries the same motion through the level in each step, and does not move.
-    /// Such a motion is answered from memory, with the same bits and the same events. Bodies that a
-    /// step did not change, with all that they touch, repeat that step until another body comes
-    /// near.
+    /// Such a motion is answered from memory, with the same bits and the same events in the same
+    /// order. Bodies that a step did not change, with all that they touch, repeat that step until
+    /// another body comes near.
     ///
     /// Some bodies never rest: a ball on a slope leans on a box, which pushes it away, and it rolls
     /// back. If M is larger than N, the scene also remembers the last M - N short motions of such

@@ -338,7 +338,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         let (mut calm, mut fast, mut piled) = (false, false, false);
         for handle in self.awake.iter().take(self.count) {
             let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
-            if !is_idle(&self.memory, handle.slot()) && slot.is_fast() {
+            if let Some(rest) = idle(&self.memory, handle.slot()) {
+                // It keeps its turn: the order of the bodies does not depend on the memory.
+                slot.path.pace = if rest.start.lies { Pace::Lies } else { Pace::Slow };
+            } else if slot.is_fast() {
                 (slot.path.pace, fast) = (Pace::Swept, true);
                 keep(&mut self.memory, handle.slot(), None);
             }
@@ -349,19 +352,17 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.cut_paths(replies);
         }
         for &handle in self.awake.iter().take(self.count) {
-            let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            let ground = ground_under(&self.slots, handle);
+            let slot = self.slots.get_mut(handle.slot()).filter(|slot| slot.path.pace == Pace::Slow);
+            let Some(slot) = slot else { continue };
             if let Some(rest) = idle(&self.memory, handle.slot()) {
                 repeat(slot, handle, rest, stepped, each);
-            } else if slot.path.pace == Pace::Slow {
-                let ground = ground_under(&self.slots, handle);
-                let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
+            } else {
                 let before = trip.fixed.map(|_| Before::of(slot));
                 trip.make(slot, (handle, ground), &mut self.memory, &mut self.near, stepped, each);
                 if let Some(before) = before {
                     trip.keep_out((&mut self.slots, &mut self.near, &mut self.memory), handle, &before, replies);
                 }
-            } else {
-                continue;
             }
             calm |= self.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= steps);
         }

@@ -1,6 +1,5 @@
 //! Characters whose gravity turns while they stand, fly and ride.
 
-use tilesat::prelude::*;
 use tilesat::{
     Aabb, Character, Circle, Feel, Fx, Input, SlopeSpeed, Slopes, Solid, TileKind, TileKinds, TileMap, TileShape, Vec2,
     fx, motion::OnLeave,
