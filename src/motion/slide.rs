@@ -131,9 +131,7 @@ impl<S: Law> Mover<S> {
         let passes = run.pass_one_way || self.passes_one_way();
         let mut ways = Ways::none();
         run.read_ways(world, &mut ways, (made, passes), hit.zip(of_hit.as_ref()));
-        // If a corner meets the very end of a face, the ways past that face are allowed as well.
-        let of_face = of_hit.filter(|_| !(B::ANGULAR && hit.is_some_and(|(entry, _)| entry.at_end)));
-        let normal = of_face.map_or(Axis::new(0, 0), |plane| plane.normal);
+        let normal = of_hit.map_or(Axis::new(0, 0), |plane| plane.normal);
         if let Some(way) = run.choose(world, &mut ways, normal, passes) {
             let v = run.follow_way::<W, S>(way, &self.surface);
             if run.flew {

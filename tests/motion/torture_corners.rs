@@ -1,7 +1,11 @@
 //! Corners of polygons and walls, numbered as the torture scenes. Each in eight views, far from the
 //! origin, and with its paths in either order.
 
-use tilesat::{Mover, PathKind, Response};
+use tilesat::prelude::*;
+use tilesat::shape::{AnyShape, Compound};
+use tilesat::{
+    Aabb, Axis, ConvexPolygon, Fx, Mover, OrientedBox, PathKind, Response, TileKind, TileKinds, TileMap, Vec2, fx,
+};
 use tilesat_judge::drawing::{Drawing, VIEWS, at, axes, disc, parts, rect};
 use tilesat_judge::rooms::PX;
 use tilesat_judge::rooms::body::Body;
@@ -181,4 +185,41 @@ fn scene_30_through_a_gap_of_ones_own_width() {
             assert_eq!(out.hits.is_empty(), enters, "{dx}: {out:?}");
         }
     }
+}
+
+/// Whatever type a box has, it meets the corner of a block on the side that opposes the motion
+/// more. The flags name the side that took the velocity.
+#[test]
+fn boxes_of_all_types_meet_a_corner_alike() {
+    static KINDS: TileKinds = TileKinds::EMPTY.with(b'#', TileKind::FULL);
+    let level = TileMap::from_ascii("#", &KINDS).unwrap();
+    let mover = Mover::platformer(Axis::NEG_Y);
+    let mut met = 0;
+    for (x, y) in (1..=12).flat_map(|x| (1..=12).map(move |y| (x, y))) {
+        for (sx, sy) in [(1, 1), (1, -1), (-1, 1), (-1, -1)] {
+            let v = Vec2::from_ints(2 * x * sx, 2 * y * sy);
+            // Its front corner comes to that of the block in the middle of the motion.
+            let corner = Vec2::from_ints(if sx > 0 { 0 } else { 16 }, if sy > 0 { 0 } else { 16 });
+            let front = corner - v / fx!(2);
+            let back = front - Vec2::from_ints(7 * sx, 5 * sy);
+            let body = Aabb::new(front.min(back), front.max(back)).unwrap();
+            macro_rules! moved {
+                ($body:expr) => {{
+                    let moved = mover.move_and_slide(&level, &$body, v).unwrap();
+                    (moved.body.aabb(), moved.velocity, [moved.floor, moved.wall, moved.ceiling])
+                }};
+            }
+            let due = moved!(body);
+            let (lo, hi) = (body.min(), body.max());
+            let corners = [lo, Vec2::new(hi.x, lo.y), hi, Vec2::new(lo.x, hi.y)];
+            assert_eq!(moved!(ConvexPolygon::<4>::new(&corners).unwrap()), due, "{v}");
+            assert_eq!(moved!(OrientedBox::new(body.centre(), body.size() / fx!(2), Axis::X).unwrap()), due, "{v}");
+            assert_eq!(moved!(Compound::<Aabb, 2>::new(&[body]).unwrap()), due, "{v}");
+            assert_eq!(moved!(AnyShape::<4>::from(body)), due, "{v}");
+            let kept = if y > x { Vec2::new(v.x, Fx::ZERO) } else { Vec2::new(Fx::ZERO, v.y) };
+            assert_eq!((due.1, due.2[1]), (kept, y <= x), "{v}");
+            met += 1;
+        }
+    }
+    assert_eq!(met, 12 * 12 * 4);
 }
