@@ -1,7 +1,6 @@
 //! Corners of polygons and walls, numbered as the torture scenes. Each in eight views, far from the
 //! origin, and with its paths in either order.
 
-use tilesat::prelude::*;
 use tilesat::shape::{AnyShape, Compound};
 use tilesat::{
     Aabb, Axis, ConvexPolygon, Fx, Mover, OrientedBox, PathKind, Response, TileKind, TileKinds, TileMap, Vec2, fx,

@@ -253,17 +253,16 @@ fn bodies_turn_in_nooks() {
         }
         let turns = turns + Fx::from_bits(random.around(2_200) as i32);
         let turned = OrientedBox::new(body.position(), half, Axis::from_turns(turns)).unwrap();
-        match turn(&map, &body, &turned) {
-            Ok(free) => pushed += u64::from(free != turned),
-            Err(_) => {
-                let step = half.x.max(half.y).to_bits() / 6 / 16;
-                let mut ways = (0..33 * 33).map(|k| (k % 33 - 16, k / 33 - 16)).filter(|(x, y)| x * x + y * y <= 256);
-                refused += u64::from(ways.any(|(x, y)| {
-                    let free = turned.translated(Vec2::from_raw(x * step, y * step)).unwrap();
-                    !map.overlaps(&free) && map.line_of_sight(body.position(), free.position()).unwrap()
-                }));
-            }
+        if let Ok(free) = turn(&map, &body, &turned) {
+            pushed += u64::from(free != turned);
+            continue;
         }
+        let step = half.x.max(half.y).to_bits() / 6 / 16;
+        let mut ways = (0..33 * 33).map(|k| (k % 33 - 16, k / 33 - 16)).filter(|(x, y)| x * x + y * y <= 256);
+        refused += u64::from(ways.any(|(x, y)| {
+            let free = turned.translated(Vec2::from_raw(x * step, y * step)).unwrap();
+            !map.overlaps(&free) && map.line_of_sight(body.position(), free.position()).unwrap()
+        }));
     }
     println!("{pushed} pushed, {refused} refused with room");
     assert!(pushed > 100 && 50 * refused < pushed, "{pushed} {refused}");
