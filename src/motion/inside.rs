@@ -45,10 +45,10 @@ const PUSHES: usize = 4;
 ///
 /// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts), which is
 /// the nearest. It is the depth, rounded up to raw units, and at most 4 raw more. If it would lead
-/// back into a surface that the body has left, it goes on along its own surface until the body is
-/// out of both. So a nook of two walls takes two pushes. There is no way out deep inside the solid,
-/// where the body reaches no surface, and in gaps narrower than the body. One-way faces do not
-/// count.
+/// back into a surface that the body has left, it goes on along its own surface. It ends where the
+/// body is out of both, so a nook of two walls takes two pushes. There is no way out deep inside
+/// the solid, where the body reaches no surface, and in gaps narrower than the body. One-way faces
+/// do not count.
 ///
 /// **It finds no way out of a door that is wider than the body** once the body is between both
 /// sides: it reaches neither. Take a body 10 wide in a door of one tile, from x = 32 to 48. At x =

@@ -242,7 +242,7 @@ impl<B: Body> Character<B> {
         let follow = if self.floor.is_some() { self.feel.snap } else { self.falls().saturating_add(self.pull()) };
         // It drops from a one-way solid after the ride, which carries it.
         let stands = self.floor.is_some_and(|floor| floor.one_way) && self.ridden().is_some();
-        // Solids move first. A character for which gravity has turned still stands on its old floor.
+        // Solids move first: if gravity has turned, the character still stands on its old floor.
         let to_larger_y = self.floor.map_or(self.falls_to_larger_y(), |floor| floor.axis.y < 0);
         let mover = mover(to_larger_y).with_drop_through(self.passes(drop) && !stands);
         // Numbers that no walker or motion may have are errors of the step, under the names that

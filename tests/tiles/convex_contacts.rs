@@ -230,7 +230,8 @@ fn turning_never_ends_inside() {
 }
 
 /// A box that lies in a nook turns by up to twelve degrees wherever a free place is within a sixth
-/// of its size, but for one in fifty. One push after another, each for itself, refused one in twelve.
+/// of its size, but for one in fifty. With one push after another, each for itself, one in twelve
+/// was refused.
 #[test]
 fn bodies_turn_in_nooks() {
     let mut random = Random::new(95);

@@ -80,7 +80,8 @@ rays! {
         /// Arcs stay whole, and so do faces that end where an arc of the other level ends. A ray
         /// that starts there may meet them although they are covered. An arc of one level and a
         /// face of the other may leave a gap that closes to nothing. A ray exactly along the line
-        /// of that face passes through it.
+        /// of that face passes through it. A ray that starts inside one level, with
+        /// [`Inside::Ignore`], may hit a face of the other level that is inside the first.
         ///
         /// Cost: that of both levels, and a look at the other level along the face for each hit.
         /// [`RayHit::cells`] counts the cells of the level that was hit.

@@ -203,7 +203,8 @@ rays! {
         /// [`Inside::Hit`](crate::world::Inside::Hit). If `a` is inside the solid, the answer is
         /// false. A corner that the line touches blocks it. A wall along which it slides and
         /// one-way edges do not. A line that ends on a surface is blocked; one that starts there is
-        /// not. Cost: as [`cast_ray`](Self::cast_ray).
+        /// not. Where a line only touches the end of an arc, one direction may be blocked and the
+        /// other one free. Cost: as [`cast_ray`](Self::cast_ray).
         ///
         /// ```
         /// use tilesat::{TileKind, TileKinds, TileMap, Vec2};
