@@ -141,8 +141,8 @@ pub struct Feel {
     /// [`coyote`](Self::coyote) frames. The same wall can be used again, so a small speed lets it
     /// climb a single wall.
     pub wall_jump: Option<Fx>,
-    /// The fastest fall while the body runs against a wall, or did so in the last frame. `None`: the
-    /// same as elsewhere.
+    /// The fastest fall while the body runs against a wall, or did so in the last frame. `None`:
+    /// the same as elsewhere.
     pub wall_slide: Option<Fx>,
     /// What happens to a solid's motion when the body leaves the solid.
     pub on_leave: OnLeave,
