@@ -143,7 +143,7 @@ games=(
     'hero_blocks_lift:a hero among blocks with a lift:37500:172:37500:172'
     'hero_slopes_lift:a hero among slopes with a lift:57100:172:56000:172'
     'hero_slopes_plank:a hero among slopes with a plank that turns:71900:224:71900:224'
-    'scene_blocks:a scene of 30 balls and boxes, among blocks:88500:6000:86000:6000'
+    'scene_blocks:a scene of 30 balls and boxes, among blocks:89000:6000:86500:6000'
     'scene_blocks_lifts:a scene of 30 balls and boxes with lifts, among blocks:101500:6000:99000:6000'
     'scene_blocks_hero:a scene of 30 balls and boxes with a hero, among blocks:109500:6000:106500:6000'
     'scene_blocks_planks:a scene of 30 balls and boxes with planks, among blocks:132000:6000:132000:6000'

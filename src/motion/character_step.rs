@@ -30,7 +30,8 @@ impl<B: Body> Character<B> {
     fn walk_as_planned<W: World>(&mut self, level: &W, input: Input, carry: Vec2) -> Result<Step, RangeError> {
         let plan = self.plan(input, carry)?;
         let mut moved = Moved::freely(self.body, plan.velocity, 0);
-        match plan.walker.walk_in_place(level, &mut moved, plan.floor) {
+        let floor = if plan.stands { self.floor } else { None };
+        match plan.walker.walk_in_place(level, &mut moved, floor) {
             Ok(footing) => Ok(self.settle(&plan, &moved, &footing)),
             Err(e) => {
                 let outcome = refused(e)?;
@@ -43,7 +44,7 @@ impl<B: Body> Character<B> {
 
     /// Applies the result of a walk.
     fn settle(&mut self, plan: &Plan, moved: &Moved<B>, footing: &Footing) -> Step {
-        let stood = plan.floor.is_some();
+        let stood = plan.stands;
         let landed = !stood && footing.met_floor;
         (self.body, self.floor) = (moved.body, footing.floor);
         // The components of the velocity that nothing changed are kept. On a solid, the velocity is

@@ -10,8 +10,8 @@ use crate::num::{Fx, Vec2};
 /// The plan of a frame: the velocity, and the walker that will make it.
 pub(super) struct Plan {
     pub(super) walker: Walker,
-    /// The floor on which it stands.
-    pub(super) floor: Option<Support>,
+    /// Whether it stands on its floor, which is one if gravity has not turned since.
+    pub(super) stands: bool,
     /// The motion still to make in this frame.
     pub(super) velocity: Vec2,
     /// The part of the motion that a solid has already made.
@@ -37,8 +37,8 @@ impl<B: Body> Character<B> {
     pub(super) fn plan(&mut self, input: Input, carry: Vec2) -> Result<Plan, RangeError> {
         self.heed_gravity();
         // If gravity has turned since, what it stood on is no floor: it leaves that in this frame.
-        let floor = self.floor.filter(|floor| (floor.axis.y < 0) == self.falls_to_larger_y());
-        let (stood, stands) = (self.floor.is_some(), floor.is_some());
+        let is_floor = |floor: Support| (floor.axis.y < 0) == self.falls_to_larger_y();
+        let (stood, stands) = (self.floor.is_some(), self.floor.is_some_and(is_floor));
         self.count_frames(input.jump, stands);
         let keeps = stood || self.feel.on_leave == OnLeave::Keep;
         let mut speeds = self.run_and_fall(input.run, if keeps { self.memory.base } else { Vec2::ZERO }, stands);
@@ -49,7 +49,7 @@ impl<B: Body> Character<B> {
         if stood {
             self.memory.base = carry; // if it leaves the floor in this frame
         }
-        let drops = input.drop && floor.is_some_and(|floor| floor.one_way);
+        let drops = input.drop && stands && self.floor.is_some_and(|floor| floor.one_way);
         let jumped = self.memory.wish > 0 && !drops && self.jump(&mut speeds, !launched, stands);
         if stands && jumped && self.feel.on_leave == OnLeave::AddUpward && self.downward(carry.y) > 0 {
             self.memory.base.y = Fx::ZERO;
@@ -64,7 +64,7 @@ impl<B: Body> Character<B> {
         let velocity = Vec2::new(speeds.run, self.downward(speeds.fall)) + base;
         let made = if stood { carry } else { already_made(velocity, base, carry) };
         let walks = stands && !(jumped || launched || drops);
-        Ok(Plan { walker, floor, velocity: velocity - made, made, jumped, drops, walks })
+        Ok(Plan { walker, stands, velocity: velocity - made, made, jumped, drops, walks })
     }
 
     /// How far the body may come from its position in the next step, on each axis. A walk along x

@@ -8,7 +8,7 @@ use super::body::{ALOFT, Mode, Slot, UNSETTLED};
 use super::body_path::{Drift, Pace, size};
 use super::farthest_pushes::FarthestPushes;
 use super::flush_boxes::{clears, is_slanted, rolls_on};
-use super::idle::{idle, repeat};
+use super::idle::{idle, is_idle, repeat};
 use super::kept_out::Before;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
@@ -39,7 +39,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     ) -> bool {
         let Self { near, slots, awake, count, memory, sleep } = self;
         let movers = awake.get_mut(..*count).unwrap_or_default();
-        let mut lying = from_the_lowest(movers, 0, slots, trip.gravity);
+        let mut lying = from_the_lowest(movers, 0, (slots, memory), trip.gravity);
         let mut pile = Pile { near, slots, memory, trip, stepped };
         let mut calm = false;
         let mut at = 0;
@@ -49,7 +49,7 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             if pile.repeats(handle, each) {
                 // Nothing near it has moved.
             } else if pile.carry(handle, replies, each) {
-                lying = from_the_lowest(movers, at, pile.slots, trip.gravity);
+                lying = from_the_lowest(movers, at, (pile.slots, pile.memory), trip.gravity);
             }
             calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.sleep().steps);
         }
@@ -59,12 +59,20 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
 
 /// Moves the lying bodies to the front, starting at `from`: the lowest first, then by keys, then by
 /// slots. Returns where they end.
-fn from_the_lowest<S: BodyShape>(movers: &mut [Handle], from: usize, slots: &[Slot<S>], gravity: Vec2) -> usize {
+///
+/// Bodies that repeat their last step still have the order that this step gave them.
+fn from_the_lowest<S: BodyShape, const M: usize>(
+    movers: &mut [Handle],
+    from: usize,
+    (slots, memory): (&[Slot<S>], &[Remembered; M]),
+    gravity: Vec2,
+) -> usize {
     let slot = |handle: Option<&Handle>| handle.and_then(|handle| slots.get(handle.slot()));
     let rank = |handle: Option<&Handle>| {
         let found = slot(handle).zip(handle);
         found.map(|(slot, handle)| (slot.height(gravity), slot.body.key, handle.slot()))
     };
+    let rests = |handle: Option<&Handle>| handle.is_some_and(|handle| is_idle(memory, handle.slot()));
     let mut lying = from;
     for at in from..movers.len() {
         if slot(movers.get(at)).is_none_or(|slot| !slot.path.lies()) {
@@ -73,7 +81,11 @@ fn from_the_lowest<S: BodyShape>(movers: &mut [Handle], from: usize, slots: &[Sl
         swap(movers, lying, at);
         // Almost no body changes its position in the list from step to step.
         let mut to = lying;
-        while to > from && rank(movers.get(to)) < rank(movers.get(to - 1)) {
+        while to > from {
+            let (one, before) = (movers.get(to), movers.get(to - 1));
+            if (rests(one) && rests(before)) || rank(one) >= rank(before) {
+                break;
+            }
             swap(movers, to - 1, to);
             to -= 1;
         }
