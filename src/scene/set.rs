@@ -91,19 +91,19 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 88 217 | 5 960 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 101 163 | 6 256 | 3 656 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 131 429 | 6 256 | 4 408 |
+/// | boxes and circles | 88 533 | 5 960 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 101 211 | 6 272 | 3 656 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 131 477 | 6 272 | 4 408 |
 /// | [`WithCapsules`](super::WithCapsules) |  | 6 224 | 3 792 |
-/// | [`AnyShape`](crate::shape::AnyShape) |  | 7 128 | 4 784 |
+/// | [`AnyShape`](crate::shape::AnyShape) |  | 7 136 | 4 784 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 207 531 |
-/// | fly and land, at most | 374 738 |
-/// | lie in nooks of slopes, none may sleep | 730 067 |
-/// | the same, if the scene [remembers](Self::remembering) | 105 848 |
-/// | sleep | 58 |
+/// | fly and land, mean | 207 333 |
+/// | fly and land, at most | 374 580 |
+/// | lie in nooks of slopes, none may sleep | 730 190 |
+/// | the same, if the scene [remembers](Self::remembering) | 109 249 |
+/// | sleep | 57 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
