@@ -103,14 +103,30 @@ pub struct Layer {
     pub properties: Properties,
     /// The names of the true ones.
     pub marks: Vec<String>,
-    /// Names, classes and true properties of the groups around it.
-    pub groups: Vec<String>,
+    /// The groups around it, the nearest one last.
+    pub groups: Vec<Rc<Group>>,
     /// The offset of the layer and of the groups around it, in pixels.
     pub offset: Spot,
     /// Whether the editor does not show it, or moves it against the other layers.
     pub hidden: bool,
     pub parallax: bool,
     pub content: Content,
+}
+
+/// A group of layers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Group {
+    pub name: String,
+    pub class: String,
+    pub properties: Properties,
+    /// The names of the true ones.
+    pub marks: Vec<String>,
+}
+
+impl Group {
+    fn names(&self) -> impl Iterator<Item = &str> + Clone {
+        [&self.name, &self.class].into_iter().chain(&self.marks).map(String::as_str)
+    }
 }
 
 /// The content of a layer.
@@ -161,6 +177,11 @@ impl Layer {
         let (name, class) = (name.to_owned(), String::new());
         let (properties, marks, groups) = (Properties::default(), Vec::new(), Vec::new());
         Self { name, class, properties, marks, groups, offset, hidden: false, parallax: false, content }
+    }
+
+    /// The names, classes and true properties of the groups around it.
+    pub(crate) fn around(&self) -> impl Iterator<Item = &str> + Clone {
+        self.groups.iter().flat_map(|group| group.names())
     }
 
     /// The tiles, if it has any.

@@ -64,7 +64,13 @@ impl Layers<'_> {
     pub(super) fn guess(&mut self, sheet: &mut Sheet<'_>, list: &[&str]) {
         let layer = sheet.layer;
         let says = [&layer.name, &layer.class].into_iter().chain(&layer.marks).any(|name| words::has(name, list));
-        if sheet.tiles.derived || is_settled(layer, self.options) || marked::denied(&layer.properties).is_some() {
+        if sheet.tiles.derived || is_settled(layer, self.options) {
+            return;
+        }
+        if let Some(why) = marked::denial(layer) {
+            if says {
+                self.note(marked::not_solid(&layer.name, &why));
+            }
             return;
         }
         if let Some((_, why)) = self.stood_on.iter().find(|(ground, _)| std::ptr::eq(*ground, layer)) {
@@ -118,7 +124,8 @@ impl Layers<'_> {
             let bare: Vec<(u32, u64)> = sheet.used.iter().copied().filter(|(entry, _)| is_bare(entry)).collect();
             let count = |used: &[(u32, u64)]| used.iter().map(|(_, times)| times).sum::<u64>();
             let most = count(&bare) * 2 > count(&sheet.used);
-            if !most || !words::has(name, GUESS) || sheet.tiles.derived || is_settled(sheet.layer, self.options) {
+            let open = !sheet.tiles.derived && !is_settled(sheet.layer, self.options);
+            if !most || !words::has(name, GUESS) || !open || marked::denial(sheet.layer).is_some() {
                 continue;
             }
             let what = format!("{} of layer '{name}'", words::several(count(&bare) as usize, "tile"));

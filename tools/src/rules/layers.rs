@@ -84,7 +84,7 @@ impl<'a> Layers<'a> {
         let by_layer = self.layer_rule(layer, tiles);
         let passed = by_layer.is_none() && words::is_passed(&layer.name);
         let by_user = by_layer.as_ref().is_some_and(|by| by.rule == Rule::Option);
-        let denied = marked::denied(&layer.properties).filter(|_| !by_user);
+        let denied = marked::denial(layer).filter(|_| !by_user);
         let only_flags = guess::is_skipped(layer, self.options);
         let (pieces, shapes, flags, flagged) = (HashMap::new(), HashMap::new(), HashMap::new(), HashMap::new());
         let mut by_name = Vec::new();
@@ -105,7 +105,7 @@ impl<'a> Layers<'a> {
                 by_layer.as_ref().filter(|by| by.rule == Rule::Option || !value || self.follows(entry, meaning));
             let Some((rule, mut what, solid)) = decided(meaning.verdict.as_ref(), by_layer) else { continue };
             let is_value = value && rule == Rule::C && meaning.verdict.is_none();
-            if let Some(why) = refusal(layer, rule, (denied, passed)) {
+            if let Some(why) = refusal(layer, rule, (denied.as_deref(), passed)) {
                 self.note(why);
                 continue;
             }
@@ -157,8 +157,8 @@ impl<'a> Layers<'a> {
             return by(Rule::Option, TileShape::Full);
         }
         let says = |is: fn(&str) -> bool| {
-            let own = [&layer.name, &layer.class].into_iter().chain(&layer.marks).chain(&layer.groups);
-            !tiles.derived && own.into_iter().any(|name| is(name))
+            let own = [&layer.name, &layer.class].into_iter().chain(&layer.marks).map(String::as_str);
+            !tiles.derived && own.chain(layer.around()).any(is)
         };
         // One way says more than collision.
         if says(words::is_one_way) {
@@ -200,7 +200,7 @@ impl<'a> Layers<'a> {
             // Entities of LDtk are for the game.
             let open = says == Says::Nothing
                 && !self.map.values
-                && marked::denied(&layer.properties).is_none()
+                && marked::denial(layer).is_none()
                 && !listed(&self.options.unguessed_layers, &layer.name);
             let fits = guess.filter(|_| open).is_some_and(|guess| guess.fits(&layer.name, objects));
             if fits {
@@ -281,14 +281,12 @@ fn decided(verdict: Option<&Verdict>, by: Option<&ByLayer>) -> Option<(Rule, Str
     }
 }
 
-/// Why a layer makes nothing of what this rule decides solid. Its own property counts more than all
-/// rules except the user's options.
+/// Why a layer makes nothing of what this rule decides solid. Its property, or that of a group
+/// around it, counts more than all rules except the user's options.
 fn refusal(layer: &Layer, rule: Rule, (denied, passed): (Option<&str>, bool)) -> Option<String> {
     let name = &layer.name;
-    if let Some(property) = denied.filter(|_| rule != Rule::Option) {
-        return Some(format!(
-            "layer '{name}' is not solid, because its property '{property}' is false; --solid-layer '{name}' makes it solid"
-        ));
+    if let Some(why) = denied.filter(|_| rule != Rule::Option) {
+        return Some(marked::not_solid(name, why));
     }
     (passed && rule == Rule::B).then(|| {
         format!("GUESS: collision shapes of layer '{name}' are not solid; --solid-layer '{name}' makes them so")

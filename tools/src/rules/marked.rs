@@ -8,6 +8,7 @@ use tilesat::TileShape;
 
 use super::cells::Sheet;
 use super::guess;
+use super::kind::Kind;
 use super::layers::Layers;
 use super::options::Options;
 use super::piece::Piece;
@@ -16,7 +17,7 @@ use super::sides::Sides;
 use super::verdict::Solid;
 use super::{names, traits, words};
 use crate::model::flip::Flip;
-use crate::model::map::{Map, Placed};
+use crate::model::map::{Layer, Map, Placed};
 use crate::model::property::{Properties, Value};
 use crate::model::tileset::Tile;
 
@@ -40,10 +41,15 @@ impl Layers<'_> {
             if sheet.tiles.derived || guess::is_settled(sheet.layer, self.options) {
                 continue;
             }
+            let denied = denial(sheet.layer);
             for (entry, count) in sheet.used.clone() {
                 let tile = tile(self.map, entry).filter(|_| !sheet.pieces.contains_key(&entry));
                 let tile = tile.filter(|_| !passes(self.map, entry));
                 let Some(said) = tile.and_then(|tile| said(tile, self.options)) else { continue };
+                if let Some(why) = &denied {
+                    self.note(not_solid(&sheet.layer.name, why));
+                    break;
+                }
                 let flip = flip(self.map, entry);
                 self.put(sheet, entry, Solid::Shape(flip.of(said.shape)));
                 if let Some(flags) = sheet.flags.get_mut(&entry) {
@@ -138,6 +144,37 @@ pub(super) fn denied(properties: &Properties) -> Option<&str> {
     let solid = |name: &str| whole(name) || traits::shape(name) == Some(TileShape::Full);
     let mut all = properties.0.iter().filter(|(name, value)| value.is_false() && solid(name));
     all.next().map(|(name, _)| name.as_str())
+}
+
+/// Why a layer is not solid, if it denies it. A group says it for its layers. The nearest class or
+/// property that says something wins.
+pub(super) fn denial(layer: &Layer) -> Option<String> {
+    let claims = |class: &str, marks: &[String]| marks.iter().map(String::as_str).chain([class]).any(is_claim);
+    if let Some(property) = denied(&layer.properties) {
+        return Some(format!("its property '{property}' is false"));
+    }
+    if claims(&layer.class, &layer.marks) {
+        return None;
+    }
+    for group in layer.groups.iter().rev() {
+        if let Some(property) = denied(&group.properties) {
+            return Some(format!("the property '{property}' of its group '{}' is false", group.name));
+        }
+        if claims(&group.class, &group.marks) {
+            return None;
+        }
+    }
+    None
+}
+
+/// Whether a class or a property of a layer says what is solid in it.
+fn is_claim(name: &str) -> bool {
+    words::is_one_way(name) || words::has(name, words::COLLISION) || Kind::from_name(name).is_some()
+}
+
+/// The note about a layer that is not solid, because it denies it.
+pub(super) fn not_solid(layer: &str, why: &str) -> String {
+    format!("layer '{layer}' is not solid, because {why}; --solid-layer '{layer}' makes it solid")
 }
 
 fn tile(map: &Map, entry: u32) -> Option<&Tile> {

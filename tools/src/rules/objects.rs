@@ -29,10 +29,10 @@ pub(super) fn layer_says(layer: &Layer, options: &Options) -> Says {
     if listed(&options.one_way_layers, &layer.name) {
         return Says::Kind(Kind::OneWay);
     }
-    if marked::denied(&layer.properties).is_some() && !by_option(layer, options) {
+    if marked::denial(layer).is_some() && !by_option(layer, options) {
         return Says::Nothing;
     }
-    let around = layer.groups.iter().map(String::as_str);
+    let around = layer.around();
     let kinds = || own.iter().copied().filter_map(Kind::from_name);
     if kinds().any(|kind| kind == Kind::Hole) {
         return Says::Kind(Kind::Hole);

@@ -82,7 +82,7 @@ impl Layers<'_> {
 
 /// Whether a guess looks at the layer: its name has a word for a solid, and nothing denies it.
 fn is_named(layer: &Layer) -> bool {
-    says(layer, words::mentions) && marked::denied(&layer.properties).is_none()
+    says(layer, words::mentions) && marked::denial(layer).is_none()
 }
 
 fn is_behind(layer: &Layer) -> bool {

@@ -106,7 +106,7 @@ impl<'a> Layers<'a> {
 
 /// Whether a layer has such a name, and does not deny it.
 fn named(layer: &Layer, list: &[&str]) -> bool {
-    words::has(&layer.name, list) && marked::denied(&layer.properties).is_none()
+    words::has(&layer.name, list) && marked::denial(layer).is_none()
 }
 
 /// Whether only the name of a layer can decide about its tiles, and the name has such a word.

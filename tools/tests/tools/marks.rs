@@ -155,3 +155,99 @@ fn names_that_are_nearly_words() {
     let ran = run("bake", scratch("marks", "slip.tmx", text("Colision")), "--json --flag Colision");
     assert!(ran.out.contains(r#""warnings":[]"#), "{ran:?}");
 }
+
+/// Nor does a guess by the names of tiles or by the shapes of some of them.
+#[test]
+fn no_guess_makes_a_denied_layer_solid() {
+    let refused = |tile: &str, property: &str, name: &str| {
+        let old = r#"<tile id="0" type="Solid"/>"#;
+        let layer = format!(r#"height="1">{property}<data"#);
+        let text = rows(&["#"]).replace(old, tile).replace("World", name).replace(r#"height="1"><data"#, &layer);
+        run("bake", scratch("marks", "guess.tmx", text), "--json")
+    };
+    let mut tiles: Vec<String> = ["Solid", "Collision", "Blocked", "my collision"]
+        .map(|class| format!(r#"<tile id="0" class="{class}"/>"#))
+        .into();
+    for (name, value) in [("solid", true), ("isSolid", true), ("impassable", true), ("walkable", false)] {
+        tiles.push(format!(r#"<tile id="0">{}</tile>"#, property(name, value)));
+    }
+    for tile in tiles {
+        assert_eq!(refused(&tile, "", "World").status, 0, "{tile}");
+        for name in ["solid", "collides"] {
+            let ran = refused(&tile, &property(name, false), "World");
+            let why = format!("layer 'World' is not solid, because its property '{name}' is false");
+            assert!(ran.status == 2 && ran.err.contains(&why), "{tile} {ran:?}");
+        }
+        let ran = refused(&tile, &property("solid", false), "Walls");
+        assert!(ran.status == 2 && ran.err.contains("its property 'solid' is false; --solid-layer"), "{tile} {ran:?}");
+    }
+    // Some tiles of platforms have a shape, elsewhere.
+    let platforms = |denied: &str| {
+        let ramp = format!(r#"<tile id="0">{RAMP}</tile><tile id="3"><properties/></tile>"#);
+        let layer = format!(
+            r#"<layer name="Platforms" width="4" height="1">{denied}<data encoding="csv">4,4,4,1</data></layer><objectgroup"#
+        );
+        let text = rows(&["#..."])
+            .replace(r#"<tile id="0" type="Solid"/>"#, &ramp)
+            .replace("<objectgroup id", &layer.replace("<objectgroup", "<objectgroup id"));
+        baked("platforms.tmx", &text)["shapes"].clone()
+    };
+    assert_eq!(platforms("")["full"], 3);
+    assert!(platforms(&property("solid", false))["full"].is_null());
+}
+
+/// A property of a group is that of its layers. The nearest one wins.
+#[test]
+fn groups_deny_as_they_claim() {
+    let says = |word: &str| match word {
+        "yes" => property("solid", true),
+        "no" => property("solid", false),
+        _ => String::new(),
+    };
+    let grouped = |outer: &str, inner: &str, own: &str, layer: &str| {
+        let class = if inner == "class" { r#" class="Solid""# } else { "" };
+        format!(
+            r#"<group name="A">{}<group name="B"{class}>{}{}</group></group><objectgroup id"#,
+            says(outer),
+            says(inner),
+            layer.replacen('>', &format!(">{}", says(own)), 1)
+        )
+    };
+    for (outer, inner, own, name, cell, solid) in [
+        ("", "", "", "Collision", 4, 2),
+        ("no", "", "", "Collision", 4, 1),
+        ("yes", "", "", "Deco", 4, 2),
+        ("no", "yes", "", "Deco", 4, 2),
+        ("no", "class", "", "Deco", 4, 2),
+        ("yes", "no", "", "Deco", 4, 1),
+        ("no", "", "yes", "Deco", 4, 2),
+        ("", "yes", "no", "Deco", 4, 1),
+        ("", "", "", "Deco", 1, 2),
+        ("no", "", "", "Deco", 1, 1),
+    ] {
+        let layer = format!(r#"<layer name="{name}" width="1" height="1"><data encoding="csv">{cell}</data></layer>"#);
+        let text = rows(&["#"]).replace("<objectgroup id", &grouped(outer, inner, own, &layer));
+        let found = baked("groups.tmx", &text);
+        let count: u64 = found["rules"].as_array().unwrap().iter().map(|rule| rule["tiles"].as_u64().unwrap()).sum();
+        assert_eq!(count, solid, "{outer} {inner} {own} {name} {cell} {found}");
+        let of_group = solid == 1 && own.is_empty();
+        let note = "because the property 'solid' of its group";
+        assert_eq!(found["notes"].to_string().contains(note), of_group, "{found}");
+        let list = r#"<object id="9" x="0" y="0" width="8" height="8"/>"#;
+        let layer = format!(r#"<objectgroup name="{name}">{list}</objectgroup>"#);
+        let text = rows(&["#"]).replace("<objectgroup id", &grouped(outer, inner, own, &layer));
+        let wanted = if solid == 2 && cell == 4 { 4 } else { 0 };
+        assert_eq!(baked("objects.tmx", &text)["segments"], wanted, "{outer} {inner} {own} {name}");
+    }
+    // A marked object is solid all the same.
+    let layer =
+        r#"<objectgroup name="Deco"><object id="9" class="Solid" x="0" y="0" width="8" height="8"/></objectgroup>"#;
+    let text = rows(&["#"]).replace("<objectgroup id", &grouped("no", "", "", layer));
+    assert_eq!(baked("marked.tmx", &text)["segments"], 4);
+    // A guess does not count, and the refusal says why.
+    let layer = r#"<layer name="Walls" width="1" height="1"><data encoding="csv">4</data></layer>"#;
+    let text = rows(&["."]).replace("<objectgroup id", &grouped("no", "", "", layer));
+    let ran = run("bake", scratch("marks", "guess.tmx", text), "--json");
+    let why = "layer 'Walls' is not solid, because the property 'solid' of its group 'A' is false";
+    assert!(ran.status == 2 && ran.err.contains(why), "{ran:?}");
+}

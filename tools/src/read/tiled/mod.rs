@@ -15,11 +15,12 @@ mod unpack;
 mod world;
 
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 use super::file::Files;
 use super::json;
 use crate::model::decimal::Decimal;
-use crate::model::map::{Content, Gap, Layer, Map};
+use crate::model::map::{Content, Gap, Group, Layer, Map};
 use crate::model::object::Spot;
 use crate::model::property::Properties;
 use data::Form;
@@ -139,7 +140,7 @@ struct Around {
     offset: Spot,
     hidden: bool,
     parallax: bool,
-    says: Vec<String>,
+    groups: Vec<Rc<Group>>,
 }
 
 struct Reader<'a> {
@@ -178,10 +179,11 @@ impl Reader<'_> {
         let marks: Vec<String> = layer.properties.0.marks().map(str::to_owned).collect();
         let content = match &*layer.form {
             "group" => {
-                let own = [&layer.name, &layer.class].into_iter().chain(&marks).filter(|name| !name.is_empty());
-                let says = around.says.iter().chain(own).cloned().collect();
-                let around = Around { offset, hidden, parallax, says };
-                self.properties.push((format!("group '{name}'"), layer.properties.0.with_class(&layer.class)));
+                let properties = layer.properties.0;
+                self.properties.push((format!("group '{name}'"), properties.clone().with_class(&layer.class)));
+                let group = Group { name: layer.name, class: layer.class, properties, marks };
+                let groups = around.groups.iter().cloned().chain([Rc::new(group)]).collect();
+                let around = Around { offset, hidden, parallax, groups };
                 return layer.layers.into_iter().try_for_each(|inner| self.layer(inner, &around));
             }
             "tilelayer" => {
@@ -216,7 +218,7 @@ impl Reader<'_> {
         if self.layers.len() == MAX_LAYERS {
             return Err(format!("more than {MAX_LAYERS} layers"));
         }
-        let groups = around.says.clone();
+        let groups = around.groups.clone();
         let (name, class, properties) = (layer.name, layer.class, layer.properties.0);
         self.layers.push(Layer { name, class, properties, marks, groups, offset, hidden, parallax, content });
         Ok(())
