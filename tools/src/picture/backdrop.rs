@@ -30,17 +30,20 @@ pub fn image(scene: &Scene, corner: Spot, map: &Map, ground: &Ground, scale: Opt
             let Some((source, from, size)) = sources.tile(map, *tileset, *id) else { continue };
             let side = f32::from(tiles.tile);
             let set = &map.tilesets[*tileset];
+            // A cell of the file. Its tile is in the lower left one of the cells that it is here.
+            let cell = (side * map.grid.0 as f32, side * map.grid.1 as f32);
             let (wide, high) = match (set.fits_grid, set.keeps_aspect) {
                 (false, _) => (size.0 as f32, size.1 as f32),
-                (true, false) => (side, side),
+                (true, false) => cell,
                 (true, true) => {
-                    let scale = side / size.0.max(size.1).max(1) as f32;
+                    let along = |cell: f32, size: u32| cell / size.max(1) as f32;
+                    let scale = along(cell.0, size.0).min(along(cell.1, size.1));
                     (size.0 as f32 * scale, size.1 as f32 * scale)
                 }
             };
             // In a cell, it is in the middle. Otherwise LDtk draws it downward, and Tiled upward.
             let (right, down) = match (set.fits_grid, map.values) {
-                (true, _) => ((side - wide) / 2.0, (side - high) / 2.0),
+                (true, _) => ((cell.0 - wide) / 2.0, side - cell.1 + (cell.1 - high) / 2.0),
                 (false, true) => (0.0, 0.0),
                 (false, false) => (0.0, side - high),
             };

@@ -89,11 +89,16 @@ impl Frame {
         if map.values {
             return Self::new(across.into(), down.into());
         }
-        let cell = side as u32;
-        let scale = match (set.fits_grid, set.keeps_aspect) {
+        // A cell of the file. Its tile is in the lower left one of the cells that it is here.
+        let cell = (side as u32 * map.grid.0, side as u32 * map.grid.1);
+        // The reader refuses turned tiles that fill a cell that is not square, if they are scaled.
+        let fits = set.fits_grid && (cell.0 == cell.1 || !flip.diagonal);
+        let whole = [(cell.0, across), (cell.1, down)];
+        let tighter = usize::from(u64::from(cell.1) * u64::from(across) < u64::from(cell.0) * u64::from(down));
+        let scale = match (fits, set.keeps_aspect) {
             (false, _) => [(1, 1); 2],
-            (true, false) => [(cell, across), (cell, down)],
-            (true, true) => [(cell, across.max(down)); 2],
+            (true, false) => whole,
+            (true, true) => [whole[tighter]; 2],
         };
         let scaled = |length: i64, (to, from): (u32, u32)| Decimal::whole(length).scaled(to, from);
         let (width, height) = (scaled(across.into(), scale[0]), scaled(down.into(), scale[1]));
@@ -102,9 +107,10 @@ impl Frame {
         let own = if flip.diagonal { [scale[1], scale[0]] } else { scale };
         let (x, y) = (scaled(set.offset.0.into(), own[0]), scaled(set.offset.1.into(), own[1]));
         // What is left of the cell is on both sides of the picture.
-        let left = |length: Decimal, whole: u32| (Decimal::whole(side) - length).scaled(1, whole);
+        let left = |cell: u32, length: Decimal| (Decimal::whole(cell.into()) - length).scaled(1, 2);
+        let lower = Decimal::whole(side) - height;
         let (right, up) =
-            if set.fits_grid { (left(width, 2), left(height, 2)) } else { (Decimal::ZERO, left(height, 1)) };
+            if fits { (left(cell.0, width), lower - left(cell.1, height)) } else { (Decimal::ZERO, lower) };
         Self { x: x + right, y: y + up, width, height, scale }
     }
 

@@ -101,6 +101,47 @@ fn flags_cover_the_tile() {
     }
 }
 
+/// Cells of 16x24 pixels are 2x3 cells of 8. Tiles that are drawn as large as one fill it.
+#[test]
+fn tiles_as_large_as_cells_that_are_not_square() {
+    let of = |set: &str, gid: u32| {
+        let text = map(set, &[(2, 1, gid)], "");
+        let text = text.replacen(r#"tilewidth="16" tileheight="16""#, r#"tilewidth="16" tileheight="24""#, 1);
+        let deco = r#"<tileset firstgid="9" name="deco" tilewidth="20" tileheight="20" tilerendersize="grid"/>"#;
+        text.replace("<tileset firstgid=\"1\"", &format!("{deco}<tileset firstgid=\"1\""))
+    };
+    let block: Vec<(usize, usize)> = (3..6).flat_map(|y| [(4, y), (5, y)]).collect();
+    let solid = r#"<tile id="0" type="Solid"/>"#;
+    let fit = r#"tilerendersize="grid" fillmode="preserve-aspect-fit""#;
+    for set in [
+        r#"tilewidth="16" tileheight="24""#,
+        r#"tilewidth="16" tileheight="24" tilerendersize="grid""#,
+        r#"tilewidth="32" tileheight="48" tilerendersize="grid""#,
+        r#"tilewidth="10" tileheight="10" tilerendersize="grid""#,
+        &format!(r#"tilewidth="8" tileheight="12" {fit}"#),
+    ] {
+        let found = ground("cell.tmx", &of(&format!("{set}>{solid}"), 1));
+        assert_eq!((full(&found), corners(&found)), (block.clone(), vec![]), "{set}");
+    }
+    // What is left of the cell is on both sides.
+    for (size, wanted) in
+        [("\"32\" tileheight=\"32\"", square(32, 28, 16, 16)), ("\"6\" tileheight=\"12\"", square(34, 24, 12, 24))]
+    {
+        let found = ground("aspect.tmx", &of(&format!(r"tilewidth={size} {fit}>{solid}"), 1));
+        assert_eq!(corners(&found), [wanted], "{size}");
+    }
+    let ramp = r#"<tile id="0"><objectgroup><object id="1" x="0" y="48"><polygon points="0,0 32,-48 32,0"/></object></objectgroup></tile>"#;
+    let found = ground("ramp.tmx", &of(&format!(r#"tilewidth="32" tileheight="48" tilerendersize="grid">{ramp}"#), 1));
+    assert_eq!(corners(&found), [[(320, 480), (480, 240), (480, 480)]]);
+    // Nobody says where a turned one lies.
+    let turned = 1 | 1 << 29;
+    let text = of(&format!(r#"tilewidth="32" tileheight="48" tilerendersize="grid">{solid}"#), turned);
+    let why = read::load(&scratch("large", "turned.tmx", text), None).unwrap_err().to_string();
+    assert!(why.contains("tile 0 of tileset 't' is turned") && why.contains("Tile Render Size"), "{why}");
+    let text = of(&format!(r#"tilewidth="16" tileheight="24" tilerendersize="grid">{solid}"#), turned);
+    assert_eq!(corners(&ground("own.tmx", &text)), Vec::<Corners>::new());
+}
+
 /// A box as large as the tile covers only what lies on it.
 #[test]
 fn a_full_box_and_other_shapes() {

@@ -179,6 +179,9 @@ impl Sets {
             return Ok(place);
         }
         let tile = self.tile(gid)?;
+        if let Some((tileset, id, flip)) = tile {
+            self.turned(&self.all[tileset], id, flip)?;
+        }
         self.beyond |= tile.is_some_and(|(tileset, id, _)| !self.all[tileset].has(id));
         let place = self.palette.len() as u32;
         self.palette.push(tile.map_or(Placed::Nothing, |(tileset, id, flip)| Placed::Tile {
@@ -189,6 +192,20 @@ impl Sets {
         }));
         self.places.insert(gid, place);
         Ok(place)
+    }
+
+    /// Refuses a turned tile that is drawn as large as a cell that is not square. Its position is
+    /// not documented.
+    fn turned(&self, set: &Tileset, id: u32, flip: Flip) -> Result<()> {
+        let (size, (width, height)) = (set.size_of(id), self.cell);
+        if !flip.diagonal || !set.fits_grid || width == height || size == self.cell || size.0 == 0 || size.1 == 0 {
+            return Ok(());
+        }
+        Err(format!(
+            "tile {id} of tileset '{}' is turned, and drawn as large as a cell, and cells are not square: in Tiled, \
+             under Tileset > Tileset Properties, set Tile Render Size to Tile Size",
+            set.name
+        ))
     }
 
     /// The tileset, its tile and the flips. `None` for no tile.
@@ -257,17 +274,6 @@ impl Sets {
         for (id, properties) in set.tileproperties {
             tiles.entry(id).or_default().properties.0.extend(properties.0.0);
         }
-        let mut fits_grid = set.tilerendersize == "grid";
-        if fits_grid && self.cell.0 != self.cell.1 {
-            if (set.tilewidth, set.tileheight) != self.cell || tiles.values().any(|tile| tile.image.is_some()) {
-                return Err(of_set(
-                    "its tiles are drawn as large as a cell, and cells are not square: in Tiled, under Tileset > \
-                     Tileset Properties, set Tile Render Size to Tile Size"
-                        .to_owned(),
-                ));
-            }
-            fits_grid = false;
-        }
         Ok(Tileset {
             name: set.name,
             size: (set.tilewidth, set.tileheight),
@@ -277,7 +283,7 @@ impl Sets {
             spacing: set.spacing,
             offset: (set.tileoffset.x, set.tileoffset.y),
             align: alignment(&set.objectalignment).map_err(&of_set)?,
-            fits_grid,
+            fits_grid: set.tilerendersize == "grid",
             keeps_aspect: match set.fillmode.as_str() {
                 "" | "stretch" => false,
                 "preserve-aspect-fit" => true,
