@@ -67,7 +67,10 @@ impl Part {
         let shift = (i64::from(-ground.shift.0), i64::from(-ground.shift.1));
         let at =
             place.map_or((0, 0), |room| (room.0 + cells(shift.0, ground.tile), room.1 + cells(shift.1, ground.tile)));
-        if place.is_some() && (shift.0 % i64::from(ground.tile) != 0 || shift.1 % i64::from(ground.tile) != 0) {
+        // The part of the offset of its cells that is less than a pixel.
+        let rest = level.as_ref().map_or((0, 0), |_| (i64::from(ground.origin.0), i64::from(ground.origin.1)));
+        let between = |pixels: i64, rest: i64| pixels % i64::from(ground.tile) != 0 || rest != 0;
+        if place.is_some() && (between(shift.0, rest.0) || between(shift.1, rest.1)) {
             return Err(Fail::new(
                 "its tiles are drawn between the cells of the world: remove the offset of its layers",
             ));
@@ -75,10 +78,16 @@ impl Part {
         let size = level.as_ref().map_or((0, 0), |level| (i64::from(level.width), i64::from(level.height)));
         let covered = (at.0, at.1, size.0, size.1);
         let side = i64::from(ground.tile) << 16;
+        // Rooms begin with a cell, and polygons and objects follow it.
+        let by = (at.0 * side - rest.0, at.1 * side - rest.1);
         for point in ground.outlines.iter_mut().flat_map(|outline| &mut outline.points) {
-            *point = (point.0 + at.0 * side, point.1 + at.1 * side);
+            *point = (point.0 + by.0, point.1 + by.1);
         }
-        ground.left_out.iter_mut().for_each(|object| object.shift((at.0 * side, at.1 * side)));
+        ground.left_out.iter_mut().for_each(|object| object.shift(by));
+        if place.is_none() && (shift, rest) != ((0, 0), (0, 0)) {
+            let (x, y) = (pixels(shift.0, rest.0), pixels(shift.1, rest.1));
+            ground.notes.push(format!("room (0, 0) begins at ({x}, {y}) of the map, with its first cell"));
+        }
         // For a map without tiles, the map gives the size.
         let drawn = if level.is_some() { (0, 0) } else { (map.size.0.into(), map.size.1.into()) };
         let extent = extent(&ground.outlines, side, drawn);
@@ -247,6 +256,12 @@ fn step(cells: u16) -> usize {
 /// The common part of two ranges, each a start and a length.
 fn common(a: (i64, i64), b: (i64, i64)) -> (i64, i64) {
     (a.0.max(b.0), (a.0 + a.1).min(b.0 + b.1))
+}
+
+/// Pixels to a thousandth.
+#[allow(clippy::cast_precision_loss, reason = "pixels of a map are below 2^24")]
+fn pixels(whole: i64, rest: i64) -> f64 {
+    ((whole as f64 + rest as f64 / 65536.0) * 1000.0).round() / 1000.0
 }
 
 fn cells(pixels: i64, tile: u16) -> i64 {

@@ -389,3 +389,36 @@ fn source_equals_the_worlds() {
     assert_eq!((steps_rooms::steps::INDEX, steps_rooms::steps::TILES.len(), steps.first()), (0, 600, (0, 0)));
     assert_eq!((steps.width(), steps.height()), (24, 14));
 }
+
+/// The polygons of a tile begin where the tiles beside it end, also in a layer with an offset that
+/// is no whole pixel.
+#[test]
+fn a_part_of_a_pixel_moves_tiles_and_polygons() {
+    let ramp = r#"<tile id="1"><objectgroup><object id="1" x="0" y="0"><polygon points="0,4 16,9 16,16 0,16"/></object></objectgroup></tile>"#;
+    let text = map(4, 1, "1,2,1,1", r#"<object id="1" name="spawn" type="Spawn" x="32" y="0"><point/></object>"#)
+        .replace(r#"<tile id="1" type="OneWay"/>"#, ramp)
+        .replace(r#"name="L" class="Solid""#, r#"name="L" offsetx="0.4""#)
+        .replace(r#"name="World""#, r#"name="World" offsetx="0.4""#);
+    let cut = Cut { room: Some((4, 1)), ..Cut::default() };
+    let world = world(&scratch("rooms", "part.tmx", &text), &cut).unwrap();
+    let map = SegmentMap::from_bytes(world.rooms[0].segments.as_ref().unwrap()).unwrap();
+    let touches = |left: Fx, right: Fx| {
+        let body = tilesat::Aabb::new(Vec2::new(left, Fx::from_num(10)), Vec2::new(right, Fx::from_num(12))).unwrap();
+        map.overlaps(&body)
+    };
+    let (from, to, little) = (Fx::from_num(16), Fx::from_num(32), Fx::lit("0.125"));
+    assert!(touches(from, from + little) && touches(to - little, to));
+    assert!(!touches(from - little, from) && !touches(to, to + little));
+    // Objects as well. The report says where the rooms begin.
+    assert_eq!(world.rooms[0].objects[0].area, Some([(32 << 16, 0); 2]));
+    assert!(
+        world.notes.iter().any(|note| note.contains("room (0, 0) begins at (0.4, 0) of the map")),
+        "{:?}",
+        world.notes
+    );
+    // Rooms of a world lie on its cells.
+    scratch("rooms", "placed.tmx", text);
+    let file = scratch("rooms", "placed.world", r#"{"maps":[{"fileName":"placed.tmx","x":0,"y":0}],"type":"world"}"#);
+    let why = self::world(&file, &Cut::default()).unwrap_err();
+    assert!(why.contains("drawn between the cells of the world: remove the offset"), "{why}");
+}
