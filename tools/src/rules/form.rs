@@ -21,6 +21,12 @@ const MOST_CORNERS: u32 = 64;
 /// The corners of an object. `None` for a point and a text, which have no extent, and for unknown
 /// forms.
 pub(super) fn corners(object: &Object) -> Option<Corners> {
+    enlarged(object, 1.0)
+}
+
+/// The same of an object that is drawn so many times larger: round forms have more corners, and the
+/// error is that of the drawing.
+pub(super) fn enlarged(object: &Object, zoom: f64) -> Option<Corners> {
     let ((w, h), zero) = (object.size, Decimal::ZERO);
     let box_of = |top: Decimal, bottom: Decimal| vec![(zero, top), (w, top), (w, bottom), (zero, bottom)];
     let (points, closed, error) = match &object.form {
@@ -30,10 +36,10 @@ pub(super) fn corners(object: &Object) -> Option<Corners> {
             let points = of_picture(object, stamp, &box_of(zero, h));
             return Some(Corners { points, closed: true, error: 0 });
         }
-        Form::Ellipse => round(object.size, object.size),
+        Form::Ellipse => round(object.size, object.size, zoom),
         Form::Capsule => {
             let side = w.min(h);
-            round(object.size, (side, side))
+            round(object.size, (side, side), zoom)
         }
         Form::Polygon(points) => (points.clone(), true, 0),
         Form::Polyline(points) => {
@@ -77,10 +83,10 @@ fn placed(object: &Object, point: Spot) -> Spot {
 }
 
 /// A box of this size whose corners are quarters of an ellipse of that size.
-fn round((w, h): Spot, (wide, high): Spot) -> (Vec<Spot>, bool, u32) {
+fn round((w, h): Spot, (wide, high): Spot, zoom: f64) -> (Vec<Spot>, bool, u32) {
     let half = |v: Decimal| v.to_f64() / 2.0;
     let (rx, ry) = (half(wide), half(high));
-    let radius = rx.max(ry);
+    let radius = rx.max(ry) * zoom;
     let off = |corners: u32| radius * (1.0 - (std::f64::consts::PI / f64::from(corners)).cos());
     let corners = (2..=MOST_CORNERS / 4).map(|k| 4 * k).find(|&k| off(k) <= OFF).unwrap_or(MOST_CORNERS);
     let (far_x, far_y) = (w.to_f64() - rx, h.to_f64() - ry);

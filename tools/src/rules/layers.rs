@@ -140,7 +140,7 @@ impl<'a> Layers<'a> {
     /// Gives an entry of a layer its solid.
     pub(super) fn put(&self, sheet: &mut Sheet<'_>, entry: u32, solid: Solid) {
         let (placed, tile) = (&self.map.palette[entry as usize], sheet.tiles.tile);
-        let piece = piece::of(self.map, placed, solid, tile, &self.likeness, self.options.weld());
+        let piece = piece::of(self.map, placed, solid, tile, &self.likeness, (self.unit, self.options.weld()));
         sheet.pieces.insert(entry, piece);
         if let Solid::Shape(shape) = solid {
             sheet.shapes.insert(entry, shape);

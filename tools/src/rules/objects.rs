@@ -72,14 +72,14 @@ pub(super) fn outlines(
     let title = Title { id: object.id, name: object.name.clone(), layer: layer.name.clone() };
     let out = |why: String| left_out::of(object, layer, unit, why);
     let left_out = |why: String| Ok(Err(out(why)));
-    let Some(corners) = form::corners(object) else {
+    let Some(corners) = form::enlarged(object, unit.zoom()) else {
         return left_out(if object.form == Form::Text { "it is a text" } else { "it is a point" }.to_owned());
     };
     if !form::has_extent(object) {
         return left_out("it has no size, so it is a point".to_owned());
     }
     let shapes = match &object.form {
-        Form::Tile(stamp) => stamps::shapes(&map.tilesets[stamp.tileset], stamp, object.size),
+        Form::Tile(stamp) => stamps::shapes(&map.tilesets[stamp.tileset], stamp, object.size, unit.zoom()),
         _ => Ok(Vec::new()),
     };
     let is_tile = matches!(object.form, Form::Tile(_));

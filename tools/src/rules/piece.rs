@@ -9,6 +9,7 @@ use super::knots::{self, Knot};
 use super::likeness::{self, Likeness};
 use super::marked::senses;
 use super::names;
+use super::place::Unit;
 use super::union::union;
 use super::verdict::Solid;
 use super::weld;
@@ -114,6 +115,12 @@ impl Frame {
         Self { x: x + right, y: y + up, width, height, scale }
     }
 
+    /// How much larger than its picture it is drawn, along the axis where that is more.
+    fn zoom(&self) -> f64 {
+        let along = |(to, from): (u32, u32)| f64::from(to) / f64::from(from.max(1));
+        along(self.scale[0]).max(along(self.scale[1]))
+    }
+
     fn moved(self, by: Spot) -> Self {
         Self { x: self.x + by.0, y: self.y + by.1, ..self }
     }
@@ -177,7 +184,14 @@ pub(super) fn in_cell(map: &Map, shape: TileShape, tile: u16) -> Piece {
 
 /// The area that a tile of a layer with cells of `tile` pixels fills. Welds drawn corners by up to
 /// `weld` raw units.
-pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: &Likeness, weld: i64) -> Piece {
+pub(super) fn of(
+    map: &Map,
+    placed: &Placed,
+    solid: Solid,
+    tile: u16,
+    likeness: &Likeness,
+    (unit, weld): (Unit, i64),
+) -> Piece {
     let side = i64::from(tile);
     let cell = Frame::new(side, side).corners();
     let &Placed::Tile { tileset, id, flip, moved } = placed else {
@@ -199,7 +213,7 @@ pub(super) fn of(map: &Map, placed: &Placed, solid: Solid, tile: u16, likeness: 
             let mut paths: Vec<Path> = shapes
                 .iter()
                 .filter(|shape| form::has_extent(shape))
-                .flat_map(|shape| drawn(shape, size, flip, frame))
+                .flat_map(|shape| drawn(shape, size, flip, frame, unit.zoom() * frame.zoom()))
                 .collect();
             if let Solid::Edges(side) = solid {
                 paths = one_way(paths, side);
@@ -278,9 +292,9 @@ fn near(a: (f64, f64), b: (f64, f64)) -> bool {
 }
 
 /// A shape of the collision editor, drawn on a tile of this size, relative to the tile. A one-way
-/// shape is each chain of its edges that face up.
-pub(super) fn drawn(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame) -> Vec<Path> {
-    let corners = form::corners(object).filter(|_| !senses(&object.class, &object.properties));
+/// shape is each chain of its edges that face up. In the output it is this many times larger.
+pub(super) fn drawn(object: &Object, (w, h): (i64, i64), flip: Flip, frame: Frame, zoom: f64) -> Vec<Path> {
+    let corners = form::enlarged(object, zoom).filter(|_| !senses(&object.class, &object.properties));
     let Some(form::Corners { mut points, closed, error }) = corners else { return Vec::new() };
     let own = [object.class.as_str(), object.name.as_str()].into_iter().chain(object.properties.marks());
     let kinds: Vec<Kind> = own.filter_map(Kind::from_name).collect();

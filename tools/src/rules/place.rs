@@ -27,6 +27,10 @@ impl Unit {
         (scaled.raw(), scaled.off_lattice())
     }
 
+    pub(super) fn zoom(self) -> f64 {
+        f64::from(self.numerator) / f64::from(self.denominator)
+    }
+
     /// A whole number of raw units, scaled.
     pub(super) fn raw_of_raw(self, raw: i64) -> i64 {
         let (n, d) = (i128::from(self.numerator), i128::from(self.denominator));

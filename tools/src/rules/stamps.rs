@@ -10,12 +10,13 @@ use crate::model::object::{Spot, Stamp, raw};
 use crate::model::tileset::Tileset;
 
 /// The collision shapes of a tile as an object, from the corner of its picture, which is drawn at
-/// this size. Polygons that cross themselves are taken apart.
+/// this size, and in the output this many times larger. Polygons that cross themselves are taken
+/// apart.
 ///
 /// # Errors
 ///
 /// If the inside of such a polygon is not clear.
-pub(super) fn shapes(set: &Tileset, stamp: &Stamp, size: Spot) -> Result<Vec<Path>, String> {
+pub(super) fn shapes(set: &Tileset, stamp: &Stamp, size: Spot, zoom: f64) -> Result<Vec<Path>, String> {
     let (w, h) = set.size_of(stamp.id);
     let own = (i64::from(w), i64::from(h));
     let (across, down) = if stamp.flip.diagonal { (own.1, own.0) } else { own };
@@ -27,10 +28,12 @@ pub(super) fn shapes(set: &Tileset, stamp: &Stamp, size: Spot) -> Result<Vec<Pat
     if shapes.iter().any(form::is_far) {
         return Err(format!("a collision shape of its tile {} is a million pixels away or wide", stamp.id));
     }
-    let mut paths: Vec<Path> =
-        shapes.iter().flat_map(|shape| drawn(shape, own, stamp.flip, Frame::new(across, down))).collect();
     let (from, to) = picture(set, stamp, size);
     let size = (to.0 - from.0, to.1 - from.1);
+    let along = |from: i64, to: Decimal| if from > 0 { to.to_f64() / from as f64 } else { 1.0 };
+    let zoom = zoom * along(across, size.0).max(along(down, size.1));
+    let mut paths: Vec<Path> =
+        shapes.iter().flat_map(|shape| drawn(shape, own, stamp.flip, Frame::new(across, down), zoom)).collect();
     for point in paths.iter_mut().flat_map(|path| &mut path.points) {
         *point = (from.0 + fit(point.0, across, size.0), from.1 + fit(point.1, down, size.1));
     }

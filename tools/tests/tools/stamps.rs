@@ -140,3 +140,45 @@ fn shapes_alone_are_not_solid() {
     let classed = text.replace(r#"name="crate""#, r#"type="Solid""#);
     assert_eq!(corners(&ground("classed", &classed, &Options::default())), [[(32, 32), (48, 16), (48, 32)]]);
 }
+
+/// The stated error of a round form is that of the drawing.
+#[test]
+#[allow(clippy::cast_precision_loss, reason = "raw coordinates are below 2^30")]
+fn round_shapes_of_larger_pictures() {
+    let disc = r#"<tile id="1"><objectgroup><object id="1" x="0" y="0" width="16" height="16"><ellipse/></object></objectgroup></tile>"#;
+    let plain = map(PLAIN, (0, 0), NOTHING, "");
+    let (from, to) = (plain.find(r#"<tile id="1">"#).unwrap(), plain.find("</tileset>").unwrap());
+    let text = |list: &str| {
+        format!("{}{disc}{}", &plain[..from], &plain[to..])
+            .replace("</objectgroup>\n</map>", &format!("{list}</objectgroup>\n</map>"))
+    };
+    let object = r#"<object id="1" gid="2" type="Solid" x="0" y="320" width="320" height="320"/>"#;
+    let ellipse = r#"<object id="1" type="Solid" x="0" y="0" width="32" height="32"><ellipse/></object>"#;
+    let in_layer = text("").replace(NOTHING, &ONE.replace('1', "2"));
+    // A picture of 4 pixels, drawn as large as a cell.
+    let small = in_layer
+        .replace(&format!("columns=\"4\" {PLAIN}"), r#"columns="4" tilewidth="4" tileheight="4" tilerendersize="grid""#)
+        .replace(r#"width="16" height="16"><ellipse"#, r#"width="4" height="4"><ellipse"#);
+    for (name, text, scale, radius) in [
+        ("object", text(object), None, 160.0),
+        ("ellipse", text(ellipse), Some((8, 1)), 128.0),
+        ("layer", in_layer.clone(), Some((8, 1)), 64.0),
+        ("plain", in_layer, None, 8.0),
+        ("small", small, Some((8, 1)), 64.0),
+    ] {
+        let options = Options { scale, ..Options::default() };
+        let found = ground(name, &text, &options);
+        let [outline] = &found.outlines[..] else { panic!("{name} {found:?}") };
+        let end = |of: fn(&(i64, i64)) -> i64| outline.points.iter().map(of).max().unwrap() as f64 / 65536.0 - radius;
+        let centre = (end(|p| p.0), end(|p| p.1));
+        let middle = |(a, b): ((i64, i64), (i64, i64))| {
+            let at = |a: i64, b: i64, centre: f64| (a + b) as f64 / 131_072.0 - centre;
+            at(a.0, b.0, centre.0).hypot(at(a.1, b.1, centre.1))
+        };
+        let ends = outline.points.iter().copied().zip(outline.points.iter().copied().cycle().skip(1));
+        let measured = radius - ends.map(middle).fold(radius, f64::min);
+        let note = found.notes.iter().find_map(|note| note.split("off by at most ").nth(1)).unwrap();
+        let stated: f64 = note.split(' ').next().unwrap().parse().unwrap();
+        assert!(measured <= stated && (stated <= 0.125 || outline.points.len() == 64), "{name} {measured} {note}");
+    }
+}
