@@ -70,6 +70,8 @@ pub(super) struct Cells {
     pub(super) paths: Vec<Placed>,
     /// Layers whose flags lie between the cells.
     pub(super) lost: Vec<String>,
+    /// Layers with flags beyond the cells that no polygon has, and how many tiles have one.
+    pub(super) beyond: Vec<(String, usize)>,
 }
 
 /// A path of a tile at its position, in pixels of the map.
@@ -186,7 +188,11 @@ impl Cells {
             let at = (from.0 + i64::from(x - sheet.tiles.at.0), from.1 + i64::from(y - sheet.tiles.at.1));
             if mask != 0 {
                 let ((dx, dy), size) = sheet.flagged.get(&cell).copied().unwrap_or(((0, 0), (1, 1)));
-                for cell in self.split((at.0 + i64::from(dx), at.1 + i64::from(dy)), size).0 {
+                let (within, beyond) = self.split((at.0 + i64::from(dx), at.1 + i64::from(dy)), size);
+                if piece.is_none() && !beyond.is_empty() {
+                    self.loses(&sheet.layer.name);
+                }
+                for cell in within {
                     if let Some(kind) = self.kind(cell) {
                         *kind = TileKind::of(kind.shape).with_flags(kind.flags | mask);
                     }
@@ -214,6 +220,13 @@ impl Cells {
             }
         }
         Ok(())
+    }
+
+    fn loses(&mut self, layer: &str) {
+        match self.beyond.last_mut().filter(|(last, _)| last == layer) {
+            Some((_, count)) => *count += 1,
+            None => self.beyond.push((layer.to_owned(), 1)),
+        }
     }
 
     fn kind(&mut self, (x, y): (i64, i64)) -> Option<&mut TileKind> {

@@ -214,6 +214,11 @@ fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
     }
     let Layers { ledger, ignored, notes, .. } = layers;
     let solid = names(&sheets);
+    let beyond_cells = cells.beyond.iter().map(|(layer, count)| {
+        let tiles = super::words::several(*count, "tile");
+        format!("flags of {tiles} of layer '{layer}' beyond the cells of the map: no output has them; draw more rows or columns")
+    });
+    let beyond_cells: Vec<String> = beyond_cells.collect();
     let mut ground = settled(map, cells, outlines, (unit, options.rooms), &solid)?;
     ground.layers = sheets.len();
     ground.left_out = left_out;
@@ -226,6 +231,7 @@ fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
     // Fields of LDtk's entities are for the game, whatever their names.
     ground.notes.extend(objects::other_kinds(&ground.left_out).filter(|_| !map.values));
     ground.unused = unused::lines(map, options, &ground.outlines, &ground.left_out);
+    ground.unused.extend(beyond_cells);
     ground.doubts = doubts;
     ground.applied = ledger.0;
     ground.ignored = ignored;

@@ -101,6 +101,18 @@ fn flags_cover_the_tile() {
     }
 }
 
+/// No cell and no polygon holds a flag beyond the map.
+#[test]
+fn flags_beyond_the_map_are_reported() {
+    let set = format!(r#"{LARGE}><tile id="0" type="ladder"/><tile id="1" type="Solid"/>"#);
+    let line = "flags of 2 tiles of layer 'tiles' beyond the cells of the map: no output has them";
+    let found = ground("lost.tmx", &map(&set, &[(2, 0, 1), (7, 3, 1), (4, 4, 2)], ""));
+    assert!(found.unused.iter().any(|unused| unused.starts_with(line)), "{:?}", found.unused);
+    assert_eq!(cells(&found, |kind| kind.flags != 0), [(2, 0), (3, 0), (7, 2), (7, 3)]);
+    let found = ground("kept.tmx", &map(&set, &[(2, 1, 1), (4, 4, 2)], ""));
+    assert_eq!(found.unused, Vec::<String>::new());
+}
+
 /// Cells of 16x24 pixels are 2x3 cells of 8. Tiles that are drawn as large as one fill it.
 #[test]
 fn tiles_as_large_as_cells_that_are_not_square() {
