@@ -113,12 +113,15 @@ pub fn levels(from: impl AsRef<Path>) -> Result<(), Failed> {
 pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
     let (mut drawn, mut options, mut read, mut failed) = (Vec::new(), Options::default(), Vec::new(), Vec::new());
     let mut placed: HashSet<PathBuf> = HashSet::new();
+    let mut known: HashSet<String> = HashSet::new();
     for file in files(from)? {
         if file.canonicalize().is_ok_and(|real| placed.contains(&real)) {
             continue;
         }
         match project::load(&file, None, Options::default()) {
             Ok((levels, said)) => {
+                let named = said.ignored_levels.iter().filter(|name| project::has_level(&levels, name));
+                known.extend(named.cloned());
                 options = said;
                 if is_world(&file) {
                     placed.extend(levels.files.iter().filter_map(|file| file.canonicalize().ok()));
@@ -128,6 +131,11 @@ pub fn folder(from: &Path, out: &Path) -> Result<Folder, Failed> {
             }
             Err(fail) => failed.push(fail),
         }
+    }
+    // The levels of a file that is not read are not known.
+    if let Some(name) = options.ignored_levels.iter().find(|name| failed.is_empty() && !known.contains(*name)) {
+        let file = from.join(project::NAME);
+        failed.push(Fail::new(format!("{}: ignore-level: no level is called '{name}'", file.display())));
     }
     let settings = Settings { options, cell: None };
     let maps: Vec<Map> = drawn.iter().map(|(_, map)| map.clone()).collect();

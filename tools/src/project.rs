@@ -13,7 +13,7 @@ use crate::read::{self, Levels};
 use crate::rules::names;
 use crate::rules::options::Options;
 
-const NAME: &str = "tilesat.toml";
+pub(crate) const NAME: &str = "tilesat.toml";
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
@@ -95,8 +95,17 @@ fn options(text: &str) -> std::result::Result<Options, String> {
     })
 }
 
-/// Layers and names of options that no level has. They are probably mistakes.
+/// Whether a file has a level of this name, read or skipped.
+pub(crate) fn has_level(levels: &Levels, name: &str) -> bool {
+    levels.names.iter().any(|known| crate::rules::same(known, name))
+}
+
+/// Levels, layers and names of options that no level has. They are probably mistakes.
 fn unknown(levels: &Levels, options: &Options) -> std::result::Result<(), String> {
+    if let Some(name) = options.ignored_levels.iter().find(|name| !has_level(levels, name)) {
+        let all: Vec<&str> = levels.names.iter().map(String::as_str).collect();
+        return Err(format!("--ignore-level {name}: there is no such level; there are: {}", shown(&all)));
+    }
     let all = || levels.maps.iter().flat_map(|map| &map.layers);
     let layers: Vec<&str> = all().map(|layer| layer.name.as_str()).collect();
     let of_layers = [

@@ -18,6 +18,8 @@ pub(crate) struct Files {
     pub(crate) read: Vec<PathBuf>,
     /// Names that are not quite those of files.
     pub(crate) notes: Vec<String>,
+    /// The names of all levels, also of those that are skipped.
+    pub(crate) levels: Vec<String>,
     total: u64,
 }
 

@@ -22,6 +22,8 @@ pub struct Levels {
     pub maps: Vec<Map>,
     /// The file, and the files that it names: tilesets, templates, separate levels and maps.
     pub files: Vec<PathBuf>,
+    /// All levels of the file, also those that are not read.
+    pub names: Vec<String>,
 }
 
 /// The levels of a file to read.
@@ -61,7 +63,7 @@ pub(crate) fn except(path: &Path, level: Option<&str>, skipped: &[String]) -> Re
     for map in &mut maps {
         path.clone_into(&mut map.project);
     }
-    Ok(Levels { maps, files: files.read })
+    Ok(Levels { maps, files: files.read, names: files.levels })
 }
 
 /// A file of the user that is not a level.
@@ -108,5 +110,6 @@ fn maps(path: &Path, pick: Pick<'_>, files: &mut Files) -> std::result::Result<V
     match pick.level {
         Some(name) if name != map.name => Err(format!("no level '{name}': a Tiled map is one level, '{}'", map.name)),
         _ => Ok(vec![map]),
+    files.levels.push(map.name.clone());
     }
 }

@@ -151,3 +151,18 @@ fn names_of_modules() {
     assert!(failed.starts_with(&wanted) && failed.ends_with("rename one of them"), "{failed}");
     assert!(!out.exists());
 }
+
+/// The settings are for all levels of the folder, so a name must be that of one of them.
+#[test]
+fn an_ignored_level_that_no_file_has() {
+    let (levels, out) = places();
+    fs::write(levels.join("cave.tmx"), rows(&["#"])).unwrap();
+    fs::write(levels.join("w.ldtk"), ldtk(&["Full"], 2, 1, "1,0")).unwrap();
+    let with = |name: &str| {
+        fs::write(levels.join("tilesat.toml"), format!("ignore-level = [\"{name}\"]")).unwrap();
+        build::folder(&levels, &out).map(|_| ()).map_err(|failed| failed.to_string())
+    };
+    assert_eq!((with("One"), with("cave")), (Ok(()), Ok(())));
+    let why = with("Nope").unwrap_err();
+    assert!(why.contains("tilesat.toml: ignore-level: no level is called 'Nope'"), "{why}");
+}

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{Ran, folder, own, rows, run, scratch, tilesat};
+use crate::support::{Ran, folder, ldtk, own, rows, run, scratch, tilesat};
 
 /// A refusal: status 2 and one line that contains the word.
 fn refused(ran: &Ran, word: &str) {
@@ -32,6 +32,22 @@ fn commands() {
             assert!(!ran.out.lines().any(|line| line.starts_with('-')), "options are indented: {}", ran.out);
         }
     }
+}
+
+/// As for the names of layers and tiles.
+#[test]
+fn an_ignored_level_that_is_not_there() {
+    let project = scratch("command", "level.ldtk", ldtk(&["Full"], 2, 1, "1,0"));
+    refused(
+        &run("bake", &project, "--json --ignore-level Nope"),
+        "--ignore-level Nope: there is no such level; there are: One",
+    );
+    refused(&run("lint", &project, "--ignore-level Nope"), "there are: One");
+    refused(
+        &run("bake", scratch("command", "alone.tmx", rows(&["#"])), "--json --ignore-level Nope"),
+        "there are: alone",
+    );
+    refused(&run("bake", &project, "--json --ignore-level one"), "every level is skipped");
 }
 
 /// It has no built-in level, and draws into the given file.

@@ -78,6 +78,7 @@ pub(super) fn read(bytes: &[u8], pick: Pick<'_>, path: &Path, files: &mut Files)
     if let Some(wanted) = pick.level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
     }
+    reader.files.levels = names;
     let mut maps = Vec::new();
     for (number, world) in worlds.into_iter().enumerate() {
         for found in world.levels {

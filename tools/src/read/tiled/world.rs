@@ -48,6 +48,7 @@ pub(in crate::read) fn read(bytes: &[u8], pick: Pick<'_>, path: &Path, files: &m
     if let Some(wanted) = pick.level.filter(|wanted| !names.iter().any(|name| name == wanted)) {
         return Err(format!("no level '{wanted}'; there are: {}", names.join(", ")));
     }
+    files.levels.clone_from(&names);
     let (mut maps, mut cells, mut projects): (Vec<Map>, _, _) = (Vec::new(), 0, Projects::default());
     for (listed, name) in world.maps.iter().zip(names) {
         if !pick.has(&name) {
