@@ -24,12 +24,17 @@ Checks, bakes and plays levels of Tiled and LDtk for the crate tilesat.
   play     play a level with a scripted player, boxes and balls
   sheet    draw every shape of a tile with its faces, corners and arcs
 
-tilesat COMMAND --help lists the arguments of each.
+tilesat COMMAND --help lists the arguments of each. tilesat --version prints the version.
 ";
 
 /// The whole program except for the process around it. Returns the exit status.
 pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
-    let mut args = args.into_iter();
+    let mut out = tell::Checked::new(out);
+    let status = command(args.into_iter(), &mut out, err);
+    out.status(status, err)
+}
+
+fn command(mut args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let command = args.next();
     match command.as_ref().map(|command| command.to_string_lossy()).as_deref() {
         Some("bake") => bake::run(args, out, err),
@@ -37,6 +42,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &
         Some("play") => play::run(&play::Program::default(), args, out, err),
         Some("rooms") => rooms::run(args, out, err),
         Some("sheet") => sheet::run(args, out, err),
+        Some("--version" | "-V") => {
+            tell::tell(out, concat!("tilesat ", env!("CARGO_PKG_VERSION")));
+            0
+        }
         Some("--help" | "-h") => {
             tell::usage(out, USAGE);
             0

@@ -1,6 +1,10 @@
 //! The program `tilesat` itself, and the subcommands without a separate file here.
 
+use std::ffi::OsString;
 use std::fs;
+use std::io::{self, ErrorKind, Write};
+
+use tilesat_tools::cli;
 
 use crate::support::{Ran, folder, ldtk, own, rows, run, scratch, tilesat};
 
@@ -30,6 +34,40 @@ fn commands() {
             let ran = tilesat(args.iter().chain([&help]));
             assert!(ran.status == 0 && ran.err.is_empty() && ran.out.starts_with("usage: tilesat"), "{ran:?}");
             assert!(!ran.out.lines().any(|line| line.starts_with('-')), "options are indented: {}", ran.out);
+        }
+    }
+}
+
+#[test]
+fn the_version() {
+    let ran = tilesat(["--version"]);
+    assert_eq!((ran.status, &*ran.out, &*ran.err), (0, concat!("tilesat ", env!("CARGO_PKG_VERSION"), "\n"), ""));
+}
+
+/// Standard output that cannot be written, with this error.
+struct Broken(ErrorKind);
+
+impl Write for Broken {
+    fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+        Err(self.0.into())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// A script must not take half of a report for all of it. Whoever closes a pipe has read enough.
+#[test]
+fn output_that_cannot_be_written() {
+    let level = scratch("command", "full.tmx", rows(&["#..#", "####"]));
+    let level = level.to_str().unwrap();
+    for args in [&["bake", level, "--json"][..], &["lint", level], &["--help"], &["play", level, "--frames", "1"]] {
+        for (kind, status) in [(ErrorKind::StorageFull, 2), (ErrorKind::BrokenPipe, 0)] {
+            let mut err = Vec::new();
+            let found = cli::run(args.iter().map(OsString::from), &mut Broken(kind), &mut err);
+            let err = String::from_utf8(err).unwrap();
+            assert_eq!((found, err.contains("cannot write the output")), (status, status == 2), "{args:?} {err}");
         }
     }
 }
