@@ -1,6 +1,6 @@
 //! A baked level as one line of JSON, for programs.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
 use serde::{Serialize, Serializer};
 use tilesat::{TileKinds, TileShape};
@@ -101,9 +101,8 @@ impl Baked {
 
     /// The same, of the objects these.
     fn left_out(&self, wanted: impl Fn(&LeftOut) -> bool) -> Vec<String> {
-        let mut seen = HashSet::new();
         let objects = self.ground.left_out.iter().filter(|object| wanted(object)).map(told);
-        self.ground.ignored.iter().cloned().chain(objects).filter(|line| seen.insert(line.clone())).collect()
+        self.ground.ignored.iter().cloned().chain(objects).collect()
     }
 
     /// The objects that are not solid and are in `OBJECTS`.

@@ -1,6 +1,6 @@
 //! Reads levels from the baker's output: Rust source, or bytes with the source beside them.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use tilesat::{Fx, PathKind, TileKind, TileShape, Vec2};
 
@@ -44,8 +44,11 @@ pub fn is_baked(path: &Path) -> bool {
 ///
 /// If the baker does not write such a file.
 pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
-    let source = if path.extension().is_some_and(|end| end == "bin") { beside(path)? } else { path.to_owned() };
-    let text = read::text(&source)?;
+    let (source, text) = if path.extension().is_some_and(|end| end == "bin") {
+        beside(path)?
+    } else {
+        (path.to_owned(), read::text(path)?)
+    };
     let of_file = |why: String| Fail::new(format!("{}: {why}", source.display()));
     let mut parts: Vec<(String, Vec<&str>)> = vec![(String::new(), Vec::new())];
     for line in text.lines().map(str::trim) {
@@ -67,22 +70,30 @@ pub fn reopen(path: &Path) -> Result<Vec<Reopened>> {
     Ok(levels)
 }
 
-/// The source beside `OUT.bin`, `OUT.tiles.bin` or `OUT.segments.bin`.
-fn beside(path: &Path) -> Result<std::path::PathBuf> {
+/// The source beside `OUT.bin`, `OUT.tiles.bin` or `OUT.segments.bin`, and its text. A source of
+/// another name counts if it includes the file.
+fn beside(path: &Path) -> Result<(PathBuf, String)> {
     let stem = path.with_extension("");
     let whole =
         stem.extension().filter(|part| *part == "tiles" || *part == "segments").map(|_| stem.with_extension(""));
-    let places = [Some(stem), whole].into_iter().flatten().flat_map(|stem| {
+    let include = format!("include_bytes!({:?})", path.file_name().unwrap_or_default().to_string_lossy());
+    for stem in [Some(stem), whole].into_iter().flatten() {
         let name = stem.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        [stem.with_file_name(format!("{name}.bin.rs")), stem.with_file_name(format!("{name}.rs"))]
-    });
-    let missing = || {
-        Fail::new(format!(
-            "{}: the file of the same name in .bin.rs, which describes the bytes, is missing: keep both in one folder",
-            path.display()
-        ))
-    };
-    places.into_iter().find(|place| place.is_file()).ok_or_else(missing)
+        for (end, is_own) in [("bin.rs", true), ("rs", false)] {
+            let place = stem.with_file_name(format!("{name}.{end}"));
+            if !place.is_file() {
+                continue;
+            }
+            let text = read::text(&place)?;
+            if is_own || text.contains(&include) {
+                return Ok((place, text));
+            }
+        }
+    }
+    Err(Fail::new(format!(
+        "{}: the file of the same name in .bin.rs, which describes the bytes, is missing: keep both in one folder",
+        path.display()
+    )))
 }
 
 fn level(name: &str, shared: &[&str], lines: &[&str], folder: &Path) -> Made<Reopened> {

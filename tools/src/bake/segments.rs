@@ -6,7 +6,7 @@ use crate::fail::{Fail, Result};
 use crate::geometry::{Meeting, crossing};
 use crate::rules::flags::Flags;
 use crate::rules::kind::Kind;
-use crate::rules::outline::Outline;
+use crate::rules::outline::{Outline, coordinate};
 
 /// The most cells: more than any flash here could hold.
 const MAX_BYTES: usize = 16 << 20;
@@ -246,7 +246,7 @@ const OUTSIDE: &str =
 /// A position in pixels.
 #[allow(clippy::cast_precision_loss, reason = "a message needs two digits")]
 fn at((x, y): (i64, i64)) -> String {
-    let pixels = |raw: i64| (raw as f64 / 655.36).round() / 100.0;
+    let pixels = |raw: i64| coordinate(raw, (raw as f64 / 655.36).round() / 100.0);
     format!(" at ({}, {})", pixels(x), pixels(y))
 }
 

@@ -156,12 +156,15 @@ fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
     for (word, lines) in [("warning", bundle.warnings), ("dropped", dropped)] {
         list(if job.json { err } else { out }, word, &lines);
     }
-    if !job.json {
-        for file in written {
-            let word = if file.extension().is_some_and(|end| end == "png") { "picture" } else { "wrote  " };
+    for file in written {
+        let word = if file.extension().is_some_and(|end| end == "png") { "picture" } else { "wrote  " };
+        // Only programs read JSON. Of several pictures, none has the given name.
+        if !job.json {
             tell(out, &format!("{word} {}", file.display()));
         }
     }
+        } else if bundle.levels.len() > 1 && word == "picture" {
+            tell(err, &format!("{word} {}", file.display()));
     Ok(0)
 }
 

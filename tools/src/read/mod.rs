@@ -88,6 +88,9 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>> {
 
 fn maps(path: &Path, pick: Pick<'_>, files: &mut Files) -> std::result::Result<Vec<Map>, String> {
     let bytes = files.utf8(path)?;
+    if bytes.trim_ascii().is_empty() {
+        return Err("the file is empty".to_owned());
+    }
     let end = path.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
     match &*end {
         "world" => return tiled::world(&bytes, pick, path, files),
@@ -107,9 +110,9 @@ fn maps(path: &Path, pick: Pick<'_>, files: &mut Files) -> std::result::Result<V
         }
     }
     let map = tiled::read(bytes, path, files)?;
+    files.levels.push(map.name.clone());
     match pick.level {
         Some(name) if name != map.name => Err(format!("no level '{name}': a Tiled map is one level, '{}'", map.name)),
         _ => Ok(vec![map]),
-    files.levels.push(map.name.clone());
     }
 }

@@ -59,6 +59,12 @@ impl<'a> Layers<'a> {
         }
         let is_ignored = |layer: &&Layer| listed(&options.ignored_layers, &layer.name);
         let (out, all): (Vec<&Layer>, Vec<&Layer>) = map.layers.iter().partition(is_ignored);
+        let mut ignored: Vec<String> =
+            out.iter().map(|layer| format!("layer '{}' (--ignore-layer)", layer.name)).collect();
+        // A layer of LDtk with tiles over each other is several layers here.
+        if map.values {
+            ignored.dedup();
+        }
         Ok(Self {
             map,
             options,
@@ -67,7 +73,7 @@ impl<'a> Layers<'a> {
             meanings: HashMap::new(),
             all,
             ledger: Ledger::default(),
-            ignored: out.iter().map(|layer| format!("layer '{}' (--ignore-layer)", layer.name)).collect(),
+            ignored,
             notes: Vec::new(),
             stood_on: Vec::new(),
         })

@@ -59,7 +59,7 @@ impl LeftOut {
 
     /// A line about it, if its author has surely meant it to be in the level.
     pub(crate) fn warning(&self) -> Option<String> {
-        let pixels = |raw: i64| raw.div_euclid(1 << 16);
+        let pixels = |raw: i64| coordinate(raw, raw.div_euclid(1 << 16));
         let line = || format!("{} at ({}, {}): {}", self.title, pixels(self.at.0), pixels(self.at.1), self.why);
         self.suspicious.then(line)
     }
@@ -78,6 +78,15 @@ impl LeftOut {
                 }
             }
         }
+    }
+}
+
+/// A coordinate in a message, in these pixels. A number of a file from a million on is a million.
+pub(crate) fn coordinate(raw: i64, pixels: impl fmt::Display) -> String {
+    match raw >> 16 {
+        1_000_000.. => "1000000 or more".to_owned(),
+        ..=-1_000_000 => "-1000000 or less".to_owned(),
+        _ => pixels.to_string(),
     }
 }
 

@@ -6,7 +6,7 @@ use std::io::{self, ErrorKind, Write};
 
 use tilesat_tools::cli;
 
-use crate::support::{Ran, folder, ldtk, own, rows, run, scratch, tilesat};
+use crate::support::{Ran, folder, ldtk, map, own, rows, run, scratch, tilesat};
 
 /// A refusal: status 2 and one line that contains the word.
 fn refused(ran: &Ran, word: &str) {
@@ -70,6 +70,72 @@ fn output_that_cannot_be_written() {
             assert_eq!((found, err.contains("cannot write the output")), (status, status == 2), "{args:?} {err}");
         }
     }
+}
+
+/// Beside bytes that are gone, a source with the level itself is not the one that was named.
+#[test]
+fn play_takes_the_source_of_the_bytes() {
+    let level = scratch("command", "bytes.tmx", rows(&["#    #", "#    #", "######"]));
+    let of = |end: &str| level.with_extension(end);
+    let bake = |end: &str| assert_eq!(run("bake", &level, &format!("-o {}", of(end).display())).status, 0);
+    bake("rs");
+    for end in ["bin", "bin.rs"] {
+        let _ = fs::remove_file(of(end));
+    }
+    refused(&run("play", of("bin"), "--frames 1"), "which describes the bytes, is missing");
+    bake("bin");
+    assert_eq!(run("play", of("bin"), "--frames 1").status, 0);
+    // The game's own form.
+    let ran = run("play", &level, &format!("--bake {}", level.with_extension("").display()));
+    fs::remove_file(of("bin.rs")).unwrap();
+    assert!(ran.status == 0 && run("play", of("bin"), "--frames 1").status == 0, "{ran:?}");
+}
+
+#[test]
+fn files_without_content() {
+    for name in ["empty.ldtk", "empty.tmx", "empty.tmj", "empty.world"] {
+        refused(&run("bake", scratch("command", name, "\n"), "--json"), ": the file is empty");
+    }
+}
+
+/// A number of a file ends at a million.
+#[test]
+fn positions_beyond_all_numbers() {
+    let text = |class: &str| {
+        let object = format!(r#"<object id="1" class="{class}" x="1e30" y="-1e30" width="4" height="4"/>"#);
+        map(1, 1, "1", &object).replace(r#"name="L" class="Solid""#, r#"name="things""#)
+    };
+    let place = "object 1 of layer 'things' at (1000000 or more, -1000000 or less): it is outside";
+    let ran = run("bake", scratch("command", "listed.tmx", text("Spawn")), "--json");
+    assert!(ran.status == 0 && ran.out.contains(place), "{ran:?}");
+    refused(&run("bake", scratch("command", "solid.tmx", text("Solid")), "--json"), place);
+}
+
+/// Their names are not the one that was given.
+#[test]
+fn the_pictures_of_several_levels_have_names() {
+    let one = ldtk(&["Full"], 2, 1, "1,0");
+    let (from, to) = (one.find(r#"{"identifier":"One""#).unwrap(), one.rfind("]}").unwrap());
+    let text = format!("{},{}{}", &one[..to], one[from..to].replace("One", "Two"), &one[to..]);
+    let file = scratch("command", "two.ldtk", text);
+    for options in ["--json", "-o"] {
+        let source = if options == "-o" { file.with_extension("rs").display().to_string() } else { String::new() };
+        let ran = run("bake", &file, &format!("{options} {source} --picture {}", file.with_extension("png").display()));
+        let said = ran.out.clone() + &ran.err;
+        for name in ["two.one.png", "two.two.png"] {
+            let line = said.lines().any(|line| line.starts_with("picture ") && line.ends_with(name));
+            assert!(ran.status == 0 && line, "{name} {ran:?}");
+        }
+    }
+}
+
+/// Each drawing that is not in the level has a line.
+#[test]
+fn equal_lines_about_drawings() {
+    let image = r#"<imagelayer name="bg"/><imagelayer name="bg"/><objectgroup id"#;
+    let text = rows(&["#"]).replace("<objectgroup id", image);
+    let ran = run("bake", scratch("command", "images.tmx", text), "--json");
+    assert!(ran.out.contains(r#""ignored":["image layer 'bg'","image layer 'bg'"]"#), "{ran:?}");
 }
 
 /// As for the names of layers and tiles.

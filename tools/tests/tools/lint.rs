@@ -168,7 +168,7 @@ fn bad_maps() {
     let good = objects(r#"<object id="7" name="a" x="0" y="0"><polygon points="0,0 8,0 8,8"/></object>"#);
     let change = |from: &str, to: &str| good.replacen(from, to, 1);
     let cases = [
-        ("empty", String::new(), "not a Tiled map"),
+        ("empty", String::new(), "the file is empty"),
         ("html", "<html></html>".into(), "not a Tiled map"),
         ("cut", good[..good.len() - 9].into(), "not a Tiled map"),
         ("cut_tag", good[..good.len() - 18].into(), "not a Tiled map"),

@@ -168,7 +168,7 @@ fn bad_files() {
     let small = small();
     let solid = ["1"; 9].join(",");
     let cases: &[(&str, String, &str)] = &[
-        ("empty", String::new(), "not a Tiled map"),
+        ("empty", String::new(), "the file is empty"),
         ("words", "no XML\nat all".into(), "not a Tiled map"),
         ("html", "<html></html>".into(), "not a Tiled map"),
         ("cut", small[..small.len() / 2].into(), "not a Tiled map"),
