@@ -28,12 +28,14 @@ const OPTIONS: &str = "
                  level; several levels are a module each. Objects that are not solid
                  are in OBJECTS; one with a name has a constant, as OBJECT_SPAWN
   -o OUT.bin     write bytes: for polygons those of SegmentMap::from_bytes, for tiles
-                 one per tile (with both: OUT.segments.bin and OUT.tiles.bin; for
-                 several levels OUT.LEVEL.bin), and OUT.bin.rs, which describes them
+                 one per tile (with both: OUT.segments.bin and OUT.tiles.bin), and
+                 OUT.bin.rs, which describes them; for several levels OUT.LEVEL.bin and
+                 OUT.LEVEL.bin.rs of each
   --json         print a line of JSON for each level instead of the report, with the
                  report's lines in the lists ignored, unused, warnings and notes; you
                  can omit -o then, and with --picture
-  --picture PNG  draw the solid over the level as you drew it
+  --picture PNG  draw the solid over the level as you drew it; for several levels
+                 NAME.png becomes NAME.LEVEL.png
   --cell PX      the side of the cells that index polygons (default: a tile)
   --body WxH     the body for which the report counts (default: a cell)
   --help         print this
@@ -161,10 +163,10 @@ fn job(job: Options, out: &mut dyn Write, err: &mut dyn Write) -> Result<u8> {
         // Only programs read JSON. Of several pictures, none has the given name.
         if !job.json {
             tell(out, &format!("{word} {}", file.display()));
-        }
-    }
         } else if bundle.levels.len() > 1 && word == "picture" {
             tell(err, &format!("{word} {}", file.display()));
+        }
+    }
     Ok(0)
 }
 

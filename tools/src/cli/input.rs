@@ -56,7 +56,8 @@ decided together. A note names each guess, and each layer that a guess would hav
 solid.
 What a tile, an object or a layer denies (its property solid or collides is false) is not
 solid by b, c and d. Nor is a tile that is walkable, by c and d. A sensor or a trigger is
-not solid by a, either, nor is a tile in a layer that denies it.
+not solid by a, either, nor is a tile in a layer that denies it. A group says it for its
+layers; of a layer and the groups around it, the nearest that says something counts.
 All other classes and true properties are flags: the first eight, from the lowest layer
 up. These options come first:
   --solid NAME[=SHAPE]  tiles of this name are full, or of this shape

@@ -108,7 +108,7 @@ fn near(text: &mut String, world: &World) {
     }
     let Some((last, rest)) = arms.split_last().filter(|(_, rest)| !rest.is_empty()) else { return };
     text.push_str(
-        "/// The rooms of the same depth as this one: `next_of` takes `&ROOMS[near(room)]`.\n\
+        "/// The rooms of the same world and depth as this one: `next_of` takes `&ROOMS[near(room)]`.\n\
          pub const fn near(room: usize) -> core::ops::Range<usize> {\n    match room {\n",
     );
     for (start, end) in rest {

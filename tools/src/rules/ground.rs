@@ -23,7 +23,7 @@
 //!    without an identifier follow the rules `c` and `d` of their layers.
 //!
 //! Of solid and one-way, one-way says more. What a tile or a layer denies, such as a property
-//! `solid` that is false, is not solid because of a weaker rule.
+//! `solid` that is false, is not solid because of a weaker rule. A group denies for its layers.
 
 use std::collections::{BTreeSet, HashSet};
 use std::fmt;
