@@ -85,7 +85,8 @@ impl Part {
         }
         ground.left_out.iter_mut().for_each(|object| object.shift(by));
         if place.is_none() && (shift, rest) != ((0, 0), (0, 0)) {
-            let (x, y) = (pixels(shift.0, rest.0), pixels(shift.1, rest.1));
+            let of_map = options.scale.map_or(1.0, |(n, d)| f64::from(d) / f64::from(n));
+            let (x, y) = (pixels(shift.0, rest.0, of_map), pixels(shift.1, rest.1, of_map));
             ground.notes.push(format!("room (0, 0) begins at ({x}, {y}) of the map, with its first cell"));
         }
         // For a map without tiles, the map gives the size.
@@ -258,10 +259,10 @@ fn common(a: (i64, i64), b: (i64, i64)) -> (i64, i64) {
     (a.0.max(b.0), (a.0 + a.1).min(b.0 + b.1))
 }
 
-/// Pixels to a thousandth.
+/// Pixels times a factor, to a thousandth.
 #[allow(clippy::cast_precision_loss, reason = "pixels of a map are below 2^24")]
-fn pixels(whole: i64, rest: i64) -> f64 {
-    ((whole as f64 + rest as f64 / 65536.0) * 1000.0).round() / 1000.0
+fn pixels(whole: i64, rest: i64, factor: f64) -> f64 {
+    ((whole as f64 + rest as f64 / 65536.0) * factor * 1000.0).round() / 1000.0
 }
 
 fn cells(pixels: i64, tile: u16) -> i64 {

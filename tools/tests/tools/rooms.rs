@@ -416,6 +416,13 @@ fn a_part_of_a_pixel_moves_tiles_and_polygons() {
         "{:?}",
         world.notes
     );
+    // The position is that in the file, also if the output is larger.
+    let ran = support::run(
+        "rooms",
+        scratch("rooms", "large.tmx", &text),
+        &format!("--room 4x1 --scale 2 -o {}", scratch("rooms", "large.rs", "").display()),
+    );
+    assert!(ran.out.contains("room (0, 0) begins at (0.4, 0) of the map"), "{ran:?}");
     // Rooms of a world lie on its cells.
     scratch("rooms", "placed.tmx", text);
     let file = scratch("rooms", "placed.world", r#"{"maps":[{"fileName":"placed.tmx","x":0,"y":0}],"type":"world"}"#);
