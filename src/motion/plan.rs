@@ -8,6 +8,7 @@ use crate::error::RangeError;
 use crate::num::{Fx, Vec2};
 
 /// The plan of a frame: the velocity, and the walker that will make it.
+#[expect(clippy::struct_excessive_bools, reason = "facts that are independent of each other")]
 pub(super) struct Plan {
     pub(super) walker: Walker,
     /// Whether it stands on its floor, which is one if gravity has not turned since.
