@@ -7,8 +7,7 @@ use super::order::First;
 use super::response::Law;
 use super::run::{Run, check_inside, is_certain};
 use super::search::{Around, Search, box_here};
-use super::slope_limit::SurfaceRole;
-use super::{Hit, Hits, MoveError, Moved, Work};
+use super::{Hit, MoveError, Moved, Work};
 use crate::num::{Raw, Vec2};
 use crate::world::World;
 
@@ -60,19 +59,9 @@ impl<S: Law> Mover<S> {
                         found.inside || !body.shifted(made.add(rest)).overlaps_world(world),
                         "a place was taken for free"
                     );
-                    let side = self.side(normal);
+                    let hit = (Hit::of(normal, feature, toi), self.side(normal));
                     found.work.iterations += u32::from(!rest.is_zero());
-                    return Ok(Moved {
-                        body: body.shifted(made.add(rest)),
-                        velocity: v.vec2(),
-                        remaining: Vec2::ZERO,
-                        hits: Hits::one(Hit::of(normal, feature, toi)),
-                        floor: side == SurfaceRole::Floor,
-                        wall: side == SurfaceRole::Wall,
-                        ceiling: side == SurfaceRole::Ceiling,
-                        flags: feature.flags,
-                        work: found.work,
-                    });
+                    return Ok(Moved::with_one(body.shifted(made.add(rest)), v.vec2(), hit, found.work));
                 }
             }
             None if known.is_some() && is_certain::<W, B>(body) => {

@@ -7,9 +7,8 @@ use super::plane::project;
 use super::response::{Law, Response};
 use super::run::turned;
 use super::search::Around;
-use super::slope_limit::SurfaceRole;
-use super::{Hit, Hits, Moved, Work};
-use crate::num::{Axis, Raw, Toi, Vec2};
+use super::{Hit, Moved, Work};
+use crate::num::{Axis, Raw, Toi};
 use crate::world::{Block, Feature, Fill, Geometry, World, normal};
 
 /// The block on which a rounded body lies. All that is near begins at its line, and the body's core
@@ -90,28 +89,15 @@ impl<S: Law> Mover<S> {
         if !matches!(self.response_to(*normal, feature, Toi::ZERO), Response::Slide | Response::DropThrough) {
             return None;
         }
-        let (v, rest) = if S::SMOOTH {
-            (Raw { x: d.x, y: 0 }, Raw { x: d.x, y: 0 })
-        } else {
-            let v = project::<B, W, S>(d, *normal, &self.surface);
-            (v, turned(d, d, v, Toi::ONE))
-        };
+        let v = if S::SMOOTH { Raw { x: d.x, y: 0 } } else { project::<B, W, S>(d, *normal, &self.surface) };
+        let rest = if S::SMOOTH { v } else { turned(d, d, v, Toi::ONE) };
         let moves = !rest.is_zero();
         if moves {
             world.made(rest);
         }
-        let side = self.side(*normal);
-        Some(Moved {
-            body: body.shifted(rest),
-            velocity: v.vec2(),
-            remaining: Vec2::ZERO,
-            hits: Hits::one(Hit::of(*normal, feature, Toi::ZERO)),
-            floor: side == SurfaceRole::Floor,
-            wall: side == SurfaceRole::Wall,
-            ceiling: side == SurfaceRole::Ceiling,
-            flags: feature.flags,
-            // As without this, each cell counts as a feature.
-            work: Work { iterations: 1 + u32::from(moves), features: below.seen, checks: 0 },
-        })
+        // As without this, each cell counts as a feature.
+        let work = Work { iterations: 1 + u32::from(moves), features: below.seen, checks: 0 };
+        let hit = (Hit::of(*normal, feature, Toi::ZERO), self.side(*normal));
+        Some(Moved::with_one(body.shifted(rest), v.vec2(), hit, work))
     }
 }

@@ -59,6 +59,22 @@ impl<B: Body> Moved<B> {
         }
     }
 
+    /// A body that slid along its only hit, of a surface with this role, or stayed there.
+    #[inline(always)]
+    pub(super) fn with_one(body: B, velocity: Vec2, (hit, side): (Hit, SurfaceRole), work: Work) -> Self {
+        Self {
+            body,
+            velocity,
+            remaining: Vec2::ZERO,
+            hits: Hits::one(hit),
+            floor: side == SurfaceRole::Floor,
+            wall: side == SurfaceRole::Wall,
+            ceiling: side == SurfaceRole::Ceiling,
+            flags: hit.flags,
+            work,
+        }
+    }
+
     /// Copies the result field by field, inline: a call of the compiler's copy routine would link
     /// 700 bytes.
     #[inline(always)]

@@ -90,8 +90,8 @@ impl<B: Body> Character<B> {
     /// A character that leaves a solid keeps the solid's motion, whether by a jump, a drop, a
     /// launch, or over the edge. If you remove the solid or put it elsewhere, the motion is lost.
     /// Relative to a solid that keeps its motion, the flight is the same as from still ground.
-    /// There is one exception. Solids move first, so a solid that sinks may
-    /// stop the fall of a body for a frame, if the body ran off its front.
+    /// There is one exception. Solids move first, so a solid that sinks may stop the fall of a body
+    /// for a frame, if the body ran off its front.
     ///
     /// In the frame of a jump, the ride makes the solid's part of the motion, and the walk makes
     /// that of the jump. The new `velocity` is the sum of both.

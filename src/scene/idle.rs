@@ -9,7 +9,7 @@
 //! distance make their steps in full.
 
 use super::body::{Mode, Slot};
-use super::body_path::size;
+use super::body_path::{Pace, size};
 use super::kernel::BodyShape;
 use super::meeting_time::{around, reach};
 use super::memory::{Idle, Remembered, Rest, rest, rest_mut};
@@ -242,18 +242,22 @@ fn overlap(a: &Aabb, b: &Aabb) -> u32 {
     x.min(y).max(0).unsigned_abs()
 }
 
-/// The step of an idle body: its events.
-pub(super) fn repeat<S>(
-    slot: &mut Slot<S>,
+/// Makes the step of a body, if it is idle: its events. Returns whether it is.
+pub(super) fn repeats<S>(
+    slots: &mut [Slot<S>],
+    memory: &[Remembered],
     handle: Handle,
-    rest: &Rest,
     stepped: &mut Stepped,
     each: &mut dyn FnMut(SceneEvent<'_>),
-) {
+) -> bool {
+    let Some(rest) = idle(memory, handle.slot()) else { return false };
+    let Some(slot) = slots.get_mut(handle.slot()) else { return true };
     stepped.moved += 1;
+    slot.path.pace = Pace::Slow;
     slot.quiet = slot.quiet.saturating_add(u8::from(rest.idle == Idle::Counts));
     let (hits, flags) = (rest.made.hits(), rest.made.flags());
     if !hits.is_empty() {
         each(SceneEvent::Level { body: handle, hits: &hits, flags, velocity: rest.made.causes.velocity });
     }
+    true
 }

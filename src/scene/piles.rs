@@ -8,7 +8,7 @@ use super::body::{ALOFT, Mode, Slot, UNSETTLED};
 use super::body_path::{Drift, Pace, size};
 use super::farthest_pushes::FarthestPushes;
 use super::flush_boxes::{clears, is_slanted, rolls_on};
-use super::idle::{idle, is_idle, repeat};
+use super::idle::{is_idle, repeats};
 use super::kept_out::Before;
 use super::kernel::BodyShape;
 use super::level_of_body::View;
@@ -46,9 +46,8 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         while at < lying {
             let Some(&handle) = movers.get(at) else { break };
             at += 1;
-            if pile.repeats(handle, each) {
-                // Nothing near it has moved.
-            } else if pile.carry(handle, replies, each) {
+            let repeats = repeats(pile.slots, pile.memory, handle, pile.stepped, each);
+            if !repeats && pile.carry(handle, replies, each) {
                 lying = from_the_lowest(movers, at, (pile.slots, pile.memory), trip.gravity);
             }
             calm |= pile.slots.get(handle.slot()).is_some_and(|slot| slot.quiet >= sleep.sleep().steps);
@@ -122,16 +121,6 @@ struct Pile<'a, B, V, S, const M: usize> {
 }
 
 impl<B: BroadPhase<Tag = Keyed<Filter>>, V: View<S>, S: BodyShape, const M: usize> Pile<'_, B, V, S, M> {
-    /// Repeats the last step of an idle body. Returns whether it is one.
-    fn repeats(&mut self, handle: Handle, each: &mut dyn FnMut(SceneEvent<'_>)) -> bool {
-        let Some(rest) = idle(self.memory, handle.slot()) else { return false };
-        if let Some(slot) = self.slots.get_mut(handle.slot()) {
-            slot.path.pace = Pace::Slow;
-            repeat(slot, handle, rest, self.stepped, each);
-        }
-        true
-    }
-
     /// One body's whole step. Returns whether others must be brought out of it, too.
     fn carry(&mut self, handle: Handle, replies: &mut impl Replies, each: &mut dyn FnMut(SceneEvent<'_>)) -> bool {
         let ground = ground_under(self.slots, handle);

@@ -3,7 +3,7 @@
 use super::body::{Mode, NOBODY, Slot, Tally, UNSETTLED};
 use super::body_path::{BodyPath, Pace};
 use super::change::add_to_awake;
-use super::idle::{are_idle, idle, is_idle, repeat, stop_idling};
+use super::idle::{are_idle, idle, is_idle, repeats, stop_idling};
 use super::kept_out::{Before, fixed_margin};
 use super::kernel::BodyShape;
 use super::level_of_body::{Common, EachLevel, EachLevelTraced, View};
@@ -352,12 +352,12 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
             self.cut_paths(replies);
         }
         for &handle in self.awake.iter().take(self.count) {
-            let ground = ground_under(&self.slots, handle);
-            let slot = self.slots.get_mut(handle.slot()).filter(|slot| slot.path.pace == Pace::Slow);
-            let Some(slot) = slot else { continue };
-            if let Some(rest) = idle(&self.memory, handle.slot()) {
-                repeat(slot, handle, rest, stepped, each);
-            } else {
+            if self.slots.get(handle.slot()).is_none_or(|slot| slot.path.pace != Pace::Slow) {
+                continue;
+            }
+            if !repeats(&mut self.slots, &self.memory, handle, stepped, each) {
+                let ground = ground_under(&self.slots, handle);
+                let Some(slot) = self.slots.get_mut(handle.slot()) else { continue };
                 let before = trip.fixed.map(|_| Before::of(slot));
                 trip.make(slot, (handle, ground), &mut self.memory, &mut self.near, stepped, each);
                 if let Some(before) = before {

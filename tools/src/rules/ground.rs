@@ -214,11 +214,14 @@ fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
     }
     let Layers { ledger, ignored, notes, .. } = layers;
     let solid = names(&sheets);
-    let beyond_cells = cells.beyond.iter().map(|(layer, count)| {
+    let told = |(layer, count): &(String, usize)| {
         let tiles = super::words::several(*count, "tile");
-        format!("flags of {tiles} of layer '{layer}' beyond the cells of the map: no output has them; draw more rows or columns")
-    });
-    let beyond_cells: Vec<String> = beyond_cells.collect();
+        format!(
+            "flags of {tiles} of layer '{layer}' beyond the cells of the map: no output has them; draw more rows or \
+             columns"
+        )
+    };
+    let beyond_cells: Vec<String> = cells.beyond.iter().map(told).collect();
     let mut ground = settled(map, cells, outlines, (unit, options.rooms), &solid)?;
     ground.layers = sheets.len();
     ground.left_out = left_out;
