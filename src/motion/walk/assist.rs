@@ -9,9 +9,9 @@ use crate::motion::run::Run;
 use crate::motion::search::{Around, check_cells};
 use crate::motion::slope_limit::SurfaceRole;
 use crate::motion::{Body, MoveError, Moved, Mover};
-use crate::num::{Fx, Raw, Vec2};
+use crate::num::{Axis, Fx, Raw, Vec2};
 use crate::shape::Aabb;
-use crate::world::{World, corners_of};
+use crate::world::{Geometry, World, corners_of};
 
 impl<S: Law> Mover<S> {
     /// Moves a body aside by at most `reach`, if its motion would hit something that it misses from
@@ -24,11 +24,14 @@ impl<S: Law> Mover<S> {
     ///         [o]                    [o]      [o]->       ->    [o]      a gap as wide as the body
     /// ```
     ///
-    /// Call it before the motion, with the same velocity. It does nothing if the motion hits no
-    /// face along x or y, or hits a floor. The step aside is the shortest one, exactly, that lets
-    /// the motion lead farther, and it is free. It never leads against the velocity, so no call
-    /// undoes another one. Along x or y there are two sides: the nearer one, on a tie the one to
-    /// the left of the motion (y down).
+    /// Call it before the motion, with the same velocity. It does nothing if the motion hits
+    /// neither a face along x or y nor a corner, or hits a floor. The step aside is the shortest
+    /// one, exactly, that lets the motion lead farther, and it is free. It never leads against the
+    /// velocity, so no call undoes another one. Along x or y there are two sides: the nearer one,
+    /// on a tie the one to the left of the motion (y down).
+    ///
+    /// A round or pointed body could come a little farther beside a corner before it hits it again.
+    /// It steps as far aside as the box around it, which passes as a whole, or not at all.
     ///
     /// A box that slides along a wall at a speed of at most `reach` enters every gap, also one
     /// exactly as wide. Then it steps a raw unit into the gap, too. A faster body can pass a gap
@@ -69,33 +72,52 @@ impl<S: Law> Mover<S> {
     fn aside<W: World, B: Body>(&self, world: &W, run: &mut Run<'_, B>, reach: i32) -> Option<Raw> {
         let d = run.motion;
         let hit = run.look(world, d)?;
-        let normal = hit.entry.normal;
-        let straight = hit.entry.step.is_none() && (normal.x == 0 || normal.y == 0);
-        if !straight || (self.up.is_some() && self.side(normal) == SurfaceRole::Floor) {
+        if self.up.is_some() && self.side(hit.entry.normal) == SurfaceRole::Floor {
             return None;
         }
+        let n = face_of(&hit)?;
+        let bounds = run.moved.body.bounds();
         let mut best = None;
-        let side = along(normal.perp(), reach);
+        let side = along(n.perp(), reach);
         // Never against the velocity: the next call could undo that step, and the body would stay.
         for side in [side, side.reversed()].into_iter().filter(|side| side.dot(d) >= 0) {
-            let Some((least, free)) = past(world, run, &hit, side) else { continue };
+            let Some((least, free)) = past(world, run, (&hit, n), side) else { continue };
+            let whole = beyond(&bounds, &hit, side);
+            let least = if way(whole) > way(least) { whole } else { least };
             // The position at the hit was rounded: a surface that the motion comes nearer to may
             // need one more unit.
             let next = least.add(Raw { x: side.x.signum(), y: side.y.signum() });
             let passes = [least, next].into_iter().filter(|aside| !aside.is_zero() && way(*aside) <= way(free));
             let found = passes.filter(|&aside| best.is_none_or(|(best, _)| way(aside) < way(best)));
-            let leads = |aside| farther(world, run, &hit, aside).ok().map(|from| (aside, from));
+            let leads = |aside| farther(world, run, (&hit, n), aside).ok().map(|from| (aside, from));
             best = found.into_iter().find_map(leads).or(best);
         }
         best.map(|(_, from)| from)
     }
 }
 
+/// The normal, along x or y, of the face that a motion goes past: of the face that it hits, or of
+/// the side of a corner that it comes to faster. `None` for slopes and arcs.
+fn face_of(hit: &Ground) -> Option<Axis> {
+    let (normal, d) = (hit.entry.normal, hit.d);
+    if hit.entry.step.is_none() && (normal.x == 0 || normal.y == 0) {
+        return Some(normal);
+    }
+    let Geometry::Vertex { .. } = hit.feature.geometry else { return None };
+    let along = |n: i32, d: i32| (n ^ d < 0).then_some(d.unsigned_abs()).filter(|_| n != 0);
+    let (x, y) = (along(normal.x, d.x), along(normal.y, d.y));
+    Some(if x > y { Axis::new(normal.x.signum(), 0) } else { Axis::new(0, normal.y.signum()) })
+}
+
 /// The way aside, if the motion comes farther into the face from there or along the side of a gap.
 /// Otherwise the hit that stops it. If the body touches the face, both sides of a gap of its width
 /// stop it at once. The way then ends a raw unit inside.
-fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, aside: Raw) -> Result<Raw, Ground> {
-    let n = hit.entry.normal;
+fn farther<W: World, B: Body>(
+    world: &W,
+    run: &mut Run<'_, B>,
+    (hit, n): (&Ground, Axis),
+    aside: Raw,
+) -> Result<Raw, Ground> {
     let Some(next) = run.look_from(world, aside, hit.d) else { return Ok(aside) };
     let to = next.drop();
     let (depth, was) = (into(to, n), into(hit.drop(), n));
@@ -110,13 +132,17 @@ fn farther<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, asi
 
 /// The shortest way aside past the hit surface, and the way that is free. The search goes from
 /// where the motion first comes farther back to the surface's side, a raw unit into its face.
-fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: Raw) -> Option<(Raw, Raw)> {
+fn past<W: World, B: Body>(
+    world: &W,
+    run: &mut Run<'_, B>,
+    (hit, n): (&Ground, Axis),
+    side: Raw,
+) -> Option<(Raw, Raw)> {
     let bounds = run.moved.body.bounds();
     let free = match run.look(world, side) {
         Some(ground) => ground.drop(),
         None => within(&bounds, side),
     };
-    let n = hit.entry.normal;
     // Past the ends of one obstacle after the other: from the far end of the free way back, the
     // first one would be the last. A round body may come farther before its bounds do.
     let (mut start, mut aside, mut ground) = (free, Raw::ZERO, *hit);
@@ -129,7 +155,7 @@ fn past<W: World, B: Body>(world: &W, run: &mut Run<'_, B>, hit: &Ground, side: 
             break;
         }
         aside = end;
-        match farther(world, run, hit, aside) {
+        match farther(world, run, (hit, n), aside) {
             Ok(_) => {
                 start = aside;
                 break;
