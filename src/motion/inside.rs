@@ -4,7 +4,7 @@ use super::Stuck;
 use super::body::{Body, kernel::Kernel};
 use super::cast::cast_in;
 use super::run::check_inside;
-use crate::num::{Fx, Raw, UnitVec2, mul_div};
+use crate::num::{DOMAIN, Fx, Raw, UnitVec2, mul_div};
 use crate::shape::Circle;
 use crate::world::{Inside, OneWay, Pushable, World, WorldContact, contacts_of};
 
@@ -46,9 +46,10 @@ const PUSHES: usize = 4;
 /// Each push leads out of the first feature of its [contacts](crate::TileMap::contacts), which is
 /// the nearest. It is the depth, rounded up to raw units, and at most 4 raw more. If it would lead
 /// back into a surface that the body has left, it goes on along its own surface. It ends where the
-/// body is out of both, so a nook of two walls takes two pushes. There is no way out deep inside
-/// the solid, where the body reaches no surface, and in gaps narrower than the body. One-way faces
-/// do not count.
+/// body is out of both, so a nook of two walls takes two pushes. That way along a surface is at
+/// most the longer side of the box around the body. There is no way out deep inside the solid,
+/// where the body reaches no surface, and in gaps narrower than the body. One-way faces do not
+/// count.
 ///
 /// **It finds no way out of a door that is wider than the body** once the body is between both
 /// sides: it reaches neither. Take a body 10 wide in a door of one tile, from x = 32 to 48. At x =
@@ -77,6 +78,8 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
     let mut contacts = heapless::Vec::<_, PUSHES>::new();
     let mut left = heapless::Vec::<LeftSurface, PUSHES>::new();
     let (mut pushed, mut made) = (*body, Raw::ZERO);
+    let size = Kernel::bounds(body).hi().sub(Kernel::bounds(body).lo());
+    let most = size.x.max(size.y).unsigned_abs();
     loop {
         if !pushed.overlaps_world(world) {
             return Ok(pushed);
@@ -85,8 +88,12 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
         let _ = contacts_of(world, &pushed, OneWay::Ignore, &mut contacts);
         let Some(contact) = contacts.first() else { break };
         let here = LeftSurface { normal: contact.axis().unit(), at: made.add(Raw::of(contact.push_out())) };
-        let back = left.iter().find_map(|earlier| here.along_until_out_of(earlier));
-        let to = here.at.add(back.unwrap_or(Raw::ZERO));
+        let back = left.iter().find_map(|earlier| here.way_out_of(earlier)).unwrap_or(0);
+        // Surfaces that are nearly parallel meet far away.
+        if back.unsigned_abs() > most {
+            break;
+        }
+        let to = here.at.add(here.along(back));
         if left.push(here).is_err() || check_inside(&Kernel::bounds(body), to).is_err() {
             break;
         }
@@ -110,8 +117,8 @@ struct LeftSurface {
 }
 
 impl LeftSurface {
-    /// The way along this surface until the body is out of an earlier one, if it is not.
-    fn along_until_out_of(&self, earlier: &Self) -> Option<Raw> {
+    /// How far along this surface the body is out of an earlier one, if it is not.
+    fn way_out_of(&self, earlier: &Self) -> Option<i32> {
         let of = |unit: UnitVec2| Raw { x: unit.raw().0, y: unit.raw().1 };
         let (n, m) = (of(self.normal), of(earlier.normal));
         // Unit vectors are in parts of 2^30, displacements below 2^30.
@@ -120,10 +127,14 @@ impl LeftSurface {
             return None;
         }
         let sine = n.cross(m) >> 30;
-        let length = mul_div(behind as u32 + 2, 1 << 30, sine.unsigned_abs() as u32);
-        let length = if sine < 0 { (length as i32).wrapping_neg() } else { length as i32 };
-        let along = UnitVec2::from_raw(n.y.wrapping_neg(), n.x).scaled(Fx::from_bits(length));
-        Some(Raw::of(along))
+        let length = mul_div(behind as u32 + 2, 1 << 30, sine.unsigned_abs() as u32).min(DOMAIN as u32) as i32;
+        Some(if sine < 0 { -length } else { length })
+    }
+
+    /// The vector of a length along this surface.
+    fn along(&self, length: i32) -> Raw {
+        let (x, y) = self.normal.raw();
+        Raw::of(UnitVec2::from_raw(y.wrapping_neg(), x).scaled(Fx::from_bits(length)))
     }
 }
 

@@ -268,3 +268,33 @@ fn bodies_turn_in_nooks() {
     println!("{pushed} pushed, {refused} refused with room");
     assert!(pushed > 100 && 50 * refused < pushed, "{pushed} {refused}");
 }
+
+/// A car turns between walls that are nearly parallel to it. The place beyond both was 47 units
+/// away, past the end of the level's walls.
+#[test]
+fn a_turn_leads_no_farther_than_the_body_is_long() {
+    static TIGHT: TileKinds = TileKinds::EMPTY
+        .with(b'#', TileKind::FULL)
+        .with(b'a', TileKind::of(TileShape::MildLowBottomRight))
+        .with(b'_', TileKind::of(TileShape::HalfBottom))
+        .with(b'[', TileKind::of(TileShape::HalfLeft))
+        .with(b'7', TileKind::of(TileShape::SlopeTopRight))
+        .with(b'P', TileKind::of(TileShape::SlopeTopLeft))
+        .with(b'^', TileKind::of(TileShape::HalfTop))
+        .with(b']', TileKind::of(TileShape::HalfRight));
+    let rows = "############\n#....a#.[7.#\n#P...#_....#\n#.]......a.#\n#.....^.._.#\n############";
+    let map = TileMap::<AllShapes>::of_ascii(rows, &TIGHT).unwrap();
+    let car = |turn: f64| {
+        let (x, y) = ((9.14 + turn).cos() * 1e6, (9.14 + turn).sin() * 1e6);
+        let half = Vec2::from_raw(625_139, 86_602);
+        OrientedBox::new(Vec2::from_raw(7_764_317, 2_063_186), half, Axis::new(x as i32, y as i32)).unwrap()
+    };
+    let (mut turned, start) = (0, car(0.0));
+    for step in 1..100 {
+        let Ok(end) = turn(&map, &start, &car(f64::from(step) / 300.0)) else { continue };
+        let by = (end.centre() - start.centre()).length();
+        assert!(by < 20 && !map.overlaps(&end), "{step}: {by}");
+        turned += 1;
+    }
+    assert!(turned > 40, "{turned}");
+}
