@@ -75,7 +75,7 @@ fn crowds_that_come_move_and_go() {
     fn check(fresh: &Twin) {
         for (seed, &(place, cells)) in PLACES.iter().enumerate() {
             let (mut r, mut twin) = (Random::new(seed as u64), fresh.clone());
-            for _ in 0..1500 {
+            for _ in 0..tilesat_judge::thorough(400, 1500) {
                 let corners = small(&mut r, i64::from(CELL), cells, place);
                 match (r.below(8), twin.bodies.len()) {
                     (0, 1..) => drop(twin.remove(r.below(twin.bodies.len() as i64) as usize)),

@@ -10,6 +10,7 @@ use tilesat::scene::{SceneBody, SceneCharacter, SceneTag, Shape, WithCapsules};
 use tilesat::shape::AnyShape;
 use tilesat::{Aabb, Axis, Capsule, Character, Circle, Feel, Fx, Input, OrientedBox, Scene, TileMap, Vec2, fx};
 use tilesat_judge::Random;
+use tilesat_judge::scenes::BODIES;
 
 fn ball(x: i16, y: i16, r: i16) -> Circle {
     Circle::new(Vec2::from_ints(x, y), Fx::from_num(r)).unwrap()
@@ -155,7 +156,7 @@ fn round_characters_stand_on_any_shape() {
     let log = Capsule::new(Vec2::from_ints(40, 60), Vec2::from_ints(60, 60), fx!(6)).unwrap();
     for (below, top) in [(WithCapsules::from(log), 54), (ball(50, 60, 8).into(), 52), (rect(40, 58, 20, 8).into(), 58)]
     {
-        let mut scene = Scene::<SortSweep<16, SceneTag>, 16, 0, WithCapsules>::new(SortSweep::new());
+        let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES, 0, WithCapsules>::new(SortSweep::new());
         let below = scene.insert(&SceneBody { mass: None, ..SceneBody::of(below, 2) }).unwrap();
         let led = scene.insert(&SceneBody::led(body, 1)).unwrap();
         let mut hero = SceneCharacter::new(Character::new(body, limits, Feel::DEFAULT), led);
@@ -174,7 +175,7 @@ fn round_characters_stand_on_any_shape() {
     }
     // Beside the middle of a small ball: its own middle is not above the ball.
     for beside in -6..=6_i16 {
-        let mut scene = Scene::<SortSweep<16, SceneTag>, 16, 0, WithCapsules>::new(SortSweep::new());
+        let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES, 0, WithCapsules>::new(SortSweep::new());
         let below = scene.insert(&SceneBody { mass: None, ..SceneBody::of(ball(50, 60, 4), 2) }).unwrap();
         let body = ball(50 + beside, 45, 5);
         let led = scene.insert(&SceneBody::led(body, 1)).unwrap();
@@ -191,7 +192,7 @@ fn round_characters_stand_on_any_shape() {
     let diamond = OrientedBox::new(Vec2::from_ints(50, 70), Vec2::from_ints(10, 10), Axis::new(1, 1)).unwrap();
     let hero_box = rect(45, 30, 10, 14);
     for below in [ramp, diamond] {
-        let mut scene = Scene::<SortSweep<16, SceneTag>, 16, 0, AnyShape<4>>::new(SortSweep::new());
+        let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES, 0, AnyShape<6>>::new(SortSweep::new());
         let below = scene.insert(&SceneBody { mass: None, ..SceneBody::of(below, 2) }).unwrap();
         let led = scene.insert(&SceneBody::led(hero_box, 1)).unwrap();
         let mut hero = SceneCharacter::new(Character::new(hero_box, limits, Feel::DEFAULT), led);

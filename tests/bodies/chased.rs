@@ -48,7 +48,7 @@ fn deepest(seed: u64, mass: u8, round: bool, frames: u32) -> Fx {
 /// For ten seconds of 60 frames.
 #[test]
 fn chasers_hardly_sink_in_at_first() {
-    for case in 0..cases(4_u64) {
+    for case in 0..cases(tilesat_judge::thorough(2_u64, 4)) {
         for mass in [1, 3, 255] {
             let [boxes, balls] = [false, true].map(|round| deepest(case, mass, round, 600));
             assert!(boxes < fx!(0.05), "case {case}, mass {mass}: boxes are {boxes} deep");
@@ -60,7 +60,7 @@ fn chasers_hardly_sink_in_at_first() {
 /// Balls in a corner go on sinking.
 #[test]
 fn balls_that_chase_for_minutes_sink_in_further() {
-    let deep = (0..cases(6_u64)).map(|case| deepest(case, 3, true, 3600)).max().unwrap();
+    let deep = (0..cases(tilesat_judge::thorough(2_u64, 6))).map(|case| deepest(case, 3, true, 3600)).max().unwrap();
     println!("{deep} deep");
     assert!(deep < fx!(0.5) && enough(deep > fx!(0.02)), "{deep} deep");
 }

@@ -135,7 +135,7 @@ fn elastic_bodies_leave_a_wedge_with_their_speed() {
         for case in 0..cases(400_u64) {
             let r = &mut Random::new(case);
             let mut between = |from: i64, to: i64| Fx::from_bits(((from << 16) + r.below((to - from) << 16)) as i32);
-            let mut scene = SortSweepScene::<4>::empty();
+            let mut scene = SortSweepScene::<BODIES>::empty();
             let bumper = Circle::new(Vec2::new(fx!(120), fx!(24) + gap), fx!(8)).unwrap();
             scene.insert(&SceneBody { surface, ..SceneBody::fixed(bumper, 2) }).unwrap();
             let (start, aim) = (Vec2::new(fx!(50), between(22, 60)), Vec2::new(between(108, 118), between(18, 24)));

@@ -32,7 +32,7 @@ fn bin(wide: usize) -> String {
 #[test]
 fn wedged_bodies_store_no_speed() {
     let mut random = Random::new(41);
-    for trial in 0..480 {
+    for trial in 0..tilesat_judge::thorough(96, 480) {
         let wide = [2, 3, 6][trial % 3];
         let text = bin(wide);
         let level = TileMap::from_ascii(&text, &KINDS).unwrap();

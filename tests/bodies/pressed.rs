@@ -84,7 +84,7 @@ fn rows_that_are_pressed_against_a_wall_stay_rows() {
     let text = "#...........#\n".repeat(3) + "#############";
     let level = TileMap::from_ascii(&text, &KINDS).unwrap();
     let (mut runs, mut pressed) = (0, 0);
-    for case in 0..cases(600) {
+    for case in 0..cases(tilesat_judge::thorough(150, 600)) {
         let r = &mut Random::new(case);
         let gravity = if r.one_in(2) { Fx::ZERO } else { Fx::from_bits(r.below(1 << 15) as i32) };
         let mut scene = Swept::new(SortSweep::new());

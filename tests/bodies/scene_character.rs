@@ -11,6 +11,7 @@ use tilesat::{
     TileMap, Vec2, fx,
 };
 use tilesat_judge::Random;
+use tilesat_judge::scenes::BODIES;
 
 pub(super) type Room = SortSweepScene<32>;
 
@@ -334,7 +335,7 @@ fn plays_upside_down() {
 fn a_capsule_runs_on_boxes_as_on_tiles() {
     let (above, below) = (open(), "................\n".repeat(4) + &"#".repeat(16));
     let tiles = TileMap::from_ascii(&below, &KINDS).unwrap(); // the floor is at y = 64
-    let mut scene = Scene::<SortSweep<16, SceneTag>, 16, 0, WithCapsules>::new(SortSweep::new());
+    let mut scene = Scene::<SortSweep<BODIES, SceneTag>, BODIES, 0, WithCapsules>::new(SortSweep::new());
     for k in 0..8 {
         let shape = rect(32 * k, 64, 32, 16);
         scene.insert(&SceneBody { mass: None, ..SceneBody::of(shape, 2 + k as u32) }).unwrap();

@@ -74,7 +74,7 @@ fn what_sleeps_at_the_floor_touches_it() {
     for percent in [0, 30, 50, 70, 80, 90, 95, 100] {
         for gy in [1, 3, 50, 655, 6_553, 6_554, 20_001, 65_537] {
             for vx in [0, 1, 7777, -65_535] {
-                for k in 0..40 {
+                for k in (0..40).step_by(tilesat_judge::thorough(5, 1)) {
                     for round in [false, true] {
                         let surface = Surface::new(Ratio::percent(percent).unwrap(), Ratio::percent(30).unwrap());
                         let y = 30 * 65_536 + k * 7_919;
@@ -122,7 +122,7 @@ fn what_sleeps_on_a_body_wakes_with_it() {
     let mut slept = 0;
     for percent in [0, 30, 50, 70, 90, 100] {
         for gy in [655, 6_554, 20_001] {
-            for k in 0..40 {
+            for k in (0..40).step_by(tilesat_judge::thorough(5, 1)) {
                 for form in 0..16 {
                     let surface = Surface::new(Ratio::percent(percent).unwrap(), Ratio::percent(30).unwrap());
                     let y = 20 * 65_536 + k * 7_919;
@@ -160,7 +160,7 @@ fn what_sleeps_on_a_body_wakes_with_it() {
             }
         }
     }
-    assert!(slept > 5_000, "{slept}");
+    assert!(slept > 1_000, "{slept}");
 }
 
 /// A body that does not bounce rests in a V, also if its sides do not meet at a right angle. No

@@ -4,6 +4,7 @@ use tilesat::broad::{Handle, SortSweep};
 use tilesat::query::Contacts;
 use tilesat::scene::{SceneBody, SceneTag, Shape};
 use tilesat::{Aabb, Circle, Fx, Ratio, Scene, Slopes, Surface, TileKind, TileKinds, TileMap, TileShape, Vec2, fx};
+use tilesat_judge::scenes::BODIES;
 use tilesat_judge::{Random, cases};
 
 static KINDS: TileKinds = TileKinds::EMPTY
@@ -11,7 +12,7 @@ static KINDS: TileKinds = TileKinds::EMPTY
     .with(b'\\', TileKind::of(TileShape::SlopeBottomLeft))
     .with(b'/', TileKind::of(TileShape::SlopeBottomRight));
 
-type Few = Scene<SortSweep<8, SceneTag>, 8>;
+type Few = Scene<SortSweep<BODIES, SceneTag>, BODIES>;
 
 /// A V with its lowest point at x = 128.
 fn valley() -> String {

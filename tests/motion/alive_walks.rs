@@ -36,8 +36,9 @@ fn locks(speed: i64, x: i64, r: i64) -> bool {
 #[test]
 fn what_gravity_wedges_has_a_floor() {
     let mut r = Random::new(7);
-    let runs: Vec<_> =
-        (0..1000).map(|_| (r.within(PX / 4, 3 * PX), r.within(8 * PX, 50 * PX), r.within(2 * PX, 8 * PX))).collect();
+    let runs: Vec<_> = (0..tilesat_judge::thorough(250, 1000))
+        .map(|_| (r.within(PX / 4, 3 * PX), r.within(8 * PX, 50 * PX), r.within(2 * PX, 8 * PX)))
+        .collect();
     let locked: Vec<_> = runs.iter().filter(|&&(speed, x, r)| locks(speed, x, r)).collect();
     assert!(locked.is_empty(), "{} of {} end in a lock, such as {:?}", locked.len(), runs.len(), locked[0]);
 }

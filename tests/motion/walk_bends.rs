@@ -1,7 +1,7 @@
 //! Tunnels of one height that bend down and up. A walker that fits keeps its speed around each
 //! bend, however little room the ceiling leaves.
 //!
-//! `TILESAT_CASES` sets the number of starts (default 64).
+//! `TILESAT_CASES` sets the number of starts (default 8, or 32 in long runs).
 
 #![allow(clippy::cast_precision_loss, reason = "lengths are below 2^30")]
 
@@ -156,7 +156,7 @@ fn through_all(starts: i64, then: &mut dyn FnMut(&Walk<'_>, &Bodies<'_>)) {
 
 #[test]
 fn tunnels_of_tiles() {
-    through_all(cases(32), &mut |walk, body| {
+    through_all(cases(tilesat_judge::thorough(8, 32)), &mut |walk, body| {
         let level = tunnel(walk.ground);
         for kind in [Kind::Box, Kind::Ball, Kind::Pill] {
             walk.through(&level.all(), body(kind));
@@ -167,7 +167,7 @@ fn tunnels_of_tiles() {
 /// Of polygons, and with a floor of tiles under a ceiling that is a polygon.
 #[test]
 fn tunnels_of_segments() {
-    through_all(cases(32) / 8, &mut |walk, body| {
+    through_all(cases(tilesat_judge::thorough(8, 32)) / 8, &mut |walk, body| {
         let floor = walk.ground.level();
         for kind in [Kind::Box, Kind::Ball, Kind::Pill] {
             with_polygons(walk.ground, true, |map| walk.through(map, body(kind)));

@@ -174,7 +174,7 @@ impl<W: World> Walk<'_, W> {
 #[test]
 fn a_flush_joint_is_no_joint() {
     let mut random = Random::new(51);
-    for _ in 0..cases(1_000) {
+    for _ in 0..cases(tilesat_judge::thorough(400, 1_000)) {
         let turn = Turn { quarter: random.below(4) as u8, mirror: random.one_in(2) };
         let (in_one, mut shapes) = ground(&mut random);
         // The same in one map: the tiles as a polygon.

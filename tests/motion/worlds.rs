@@ -3,7 +3,7 @@
 //!
 //! In each frame: no overlap, no gain of speed, the first hit at the exact moment and on the exact
 //! side (circles at corners: never late). Free motions arrive, and no body ever leaves its room.
-//! `TILESAT_FRAMES` sets the number of frames (default 1 000 000).
+//! `TILESAT_FRAMES` sets the number of frames (default 300 000, or a million in long runs).
 
 use tilesat::{Axis, Mover, Outside, Response};
 use tilesat_judge::Random;
@@ -15,7 +15,7 @@ use tilesat_judge::motion::{P, len2};
 const FRAMES_A_BODY: u64 = 200;
 
 fn frames() -> u64 {
-    tilesat_judge::frames(1_000_000)
+    tilesat_judge::frames(tilesat_judge::thorough(300_000, 1_000_000))
 }
 
 #[derive(Clone, Copy, Debug, Default)]

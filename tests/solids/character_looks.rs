@@ -108,7 +108,7 @@ fn a_patrol_turns_at_a_pit_as_wide_as_itself() {
         let level = TileMap::from_ascii(&level, &KINDS).unwrap();
         for (width, crosses) in [(15 << 16, false), (16 << 16, false), ((16 << 16) + 1, true), (18 << 16, true)] {
             for speed in [fx!(0.25), fx!(0.5), fx!(0.75), fx!(1.5), fx!(2.5)] {
-                for start in (18..90).step_by(5) {
+                for start in (18..90).step_by(tilesat_judge::thorough(17, 5)) {
                     let lo = Vec2::from_ints(start, 16);
                     let body = Aabb::new(lo, Vec2::new(lo.x + Fx::from_bits(width), fx!(32))).unwrap();
                     let mut enemy = Character::new(body, limits(), Feel::DEFAULT);

@@ -49,14 +49,14 @@ fn bodies_in_the_open() {
 #[test]
 fn bodies_among_blocks() {
     let mut seen = Seen::default();
-    play(1, 282, 300, &mut seen);
+    play(1, 282, tilesat_judge::thorough(100, 300), &mut seen);
     assert!(seen.free.min(seen.carried).min(seen.pushed).min(seen.squashed) > 9, "{seen:?}");
 }
 
 #[test]
 fn bodies_among_all_shapes() {
     let mut seen = Seen::default();
-    play(37, 283, 300, &mut seen);
+    play(37, 283, tilesat_judge::thorough(100, 300), &mut seen);
     assert!(seen.free.min(seen.carried).min(seen.pushed).min(seen.squashed) > 9, "{seen:?}");
 }
 

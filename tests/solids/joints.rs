@@ -84,7 +84,7 @@ fn both<W: World>(level: &W, turn: Turn, random: &mut Random) {
 #[test]
 fn a_flush_platform_does_not_trip_a_walker() {
     let mut random = Random::new(91);
-    for _ in 0..cases(250) {
+    for _ in 0..cases(tilesat_judge::thorough(100, 250)) {
         let turn = Turn(random.below(8) as u8);
         let row = b"############    ############";
         let a = turn.of((-14 * CELL, 0));

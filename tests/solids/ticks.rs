@@ -12,7 +12,7 @@ use tilesat_judge::{Random, cases};
 #[test]
 fn bodies_among_blocks() {
     let (mut random, mut seen) = (Random::new(81), Seen::default());
-    for _ in 0..cases(600) {
+    for _ in 0..cases(tilesat_judge::thorough(200, 600)) {
         let tiles = tiles(&mut random, 1);
         let by = (random.around(900_000), random.around(900_000));
         let mirror = mirrored_level(&tiles, SIDE as usize);
@@ -38,7 +38,7 @@ fn bodies_among_blocks() {
 #[test]
 fn bodies_among_all_shapes() {
     let (mut random, mut seen) = (Random::new(82), Seen::default());
-    for _ in 0..cases(600) {
+    for _ in 0..cases(tilesat_judge::thorough(200, 600)) {
         let tiles = tiles(&mut random, 37);
         let by = (random.around(900_000), random.around(900_000));
         let mirror = mirrored_level(&tiles, SIDE as usize);

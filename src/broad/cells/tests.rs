@@ -107,7 +107,7 @@ fn around<B: BroadPhase<Tag = ()>>(near: &B, point: Raw, reach: i32) {
 
 fn check<B: BroadPhase<Tag = ()>>(mut near: B, large: i32, seed: u64) {
     let mut r = Random(seed);
-    for round in 0..60 {
+    for round in 0..tilesat_judge::thorough(15, 60) {
         // A crowd about as large as the grid, with some bodies gone.
         let span = [6, 40, 400][round % 3];
         for i in 0..BODIES {

@@ -197,7 +197,7 @@ mod tests {
     fn the_nearest_displacement() {
         let mut random = tilesat_judge::Random::new(71);
         let (mut some, mut none) = (0, 0);
-        for _ in 0..tilesat_judge::cases(20_000) {
+        for _ in 0..tilesat_judge::cases(tilesat_judge::thorough(5_000, 20_000)) {
             let mut number = |most: i64| random.around(most) as i32;
             let wanted = (number(12), number(12));
             let planes: [_; 3] = core::array::from_fn(|_| (number(5), number(5), number(9), number(9)));

@@ -33,6 +33,12 @@ pub fn cases<N: FromStr>(default: N) -> N {
     given("TILESAT_CASES", default)
 }
 
+/// The number `short`, or `long` if the variable `TILESAT_LONG` is set. For tests that take longer
+/// than a second or two with all of their cases.
+pub fn thorough<N>(short: N, long: N) -> N {
+    if std::env::var_os("TILESAT_LONG").is_some() { long } else { short }
+}
+
 /// Whether a statement about many cases holds, in runs of many. Interpreters run too few
 /// (`.ci/miri`).
 pub fn enough(holds: bool) -> bool {
