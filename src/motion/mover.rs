@@ -267,6 +267,9 @@ impl<S: Law> Mover<S> {
     /// side. That happens in 1 of 100 000 motions. Translated scenes give the same bits. So do
     /// scenes with x and y exchanged, except for ties (x wins) and a raw unit at corners.
     ///
+    /// The corner between two slanted tiles has the flags of one of them, in a mirrored level those
+    /// of the other one. A round body that rests on it has those flags.
+    ///
     /// Cost: one look at each cell under the motion, if all are empty. Otherwise at most
     /// [`Mover::ITERATIONS`] sweeps over these cells, in pieces as long as a cell or the body. A
     /// fast body needs as many look-ups even far from the map. Each sweep needs one or two exact

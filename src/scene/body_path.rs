@@ -32,7 +32,8 @@ pub(super) struct BodyPath {
 /// A direction, or none, in a byte, so a path takes 32 bytes.
 ///
 /// The two signs, which component is longer, and how much longer, in 30 steps. Equal directions
-/// have equal headings. Two that have the same one differ by at most two degrees.
+/// have equal headings. Two that have the same one differ by at most two degrees, about x and y by
+/// four. Directions on both sides of x have one heading: mirrored ones have mirrored headings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Heading(u8);
 
@@ -44,7 +45,9 @@ impl Heading {
     pub(super) fn of(axis: Axis) -> Self {
         let (x, y) = (axis.x.unsigned_abs(), axis.y.unsigned_abs());
         let slope = mul_div(x.min(y), Self::STEPS, x.max(y).max(1)) as u8;
-        let bits = u8::from(axis.x < 0) << 7 | u8::from(axis.y < 0) << 6 | u8::from(y > x) << 5;
+        let minor = slope > 0;
+        let signs = (axis.x < 0 && (minor || x >= y), axis.y < 0 && (minor || y > x));
+        let bits = u8::from(signs.0) << 7 | u8::from(signs.1) << 6 | u8::from(y > x) << 5;
         Self(bits | slope.wrapping_add(1))
     }
 

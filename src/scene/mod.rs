@@ -65,8 +65,9 @@
 //!    that is carried, they are pushed out of it in the same step.
 //! 5. Fast bodies are moved last, from one hit to the next.
 //! 6. Bodies that have hardly moved for some steps fall asleep, together with all bodies that they
-//!    touch. A body that began to touch another one in this step stays awake. The next step then
-//!    reports the pair.
+//!    touch. A body that moved onto another one in this step stays awake, and the next step reports
+//!    the pair. In a heap that has hardly moved, bodies may also lose touch and find it again. Such
+//!    a pair is known already.
 //!
 //! # Guarantees
 //!
@@ -170,6 +171,9 @@
 //!   At a gravity of 0.25, one of radius 8 on two that touch is 0.07 units deep. In a heap of 60
 //!   some overlap by 2 to 5 units, and a ball may pass another one in a narrow bin. One that lies
 //!   on others may be pressed into a fast hero for a step, by up to half of its size.
+//! - **A heavy slow body sinks through a light one that the level holds**, such as a ball in a
+//!   gap. With 50 times its mass it always does, with ten in some places. While it sinks it stores
+//!   speed, and a surface that bounces throws it out. Flag the heavy one as `fast`.
 //! - **Slow boxes without friction in a V of slopes may move for ever**, by a third of gravity per
 //!   step or more. Of two boxes, 9 scenes in 100 do not come to rest, and of eight, 31. With a
 //!   friction of 20 percent, all do.
@@ -218,7 +222,8 @@
 //! place the platform. The bodies on it move in the step, and it follows them. That is enough for
 //! up and down. Sideways, the platform and its load *both* need friction. When two bodies meet, the
 //! surface that bounces more decides, or else the one with less friction. A conveyor is a `fixed`
-//! body with a velocity that stays where it is.
+//! body with a velocity that stays where it is. Let that lead along its surface. A body that meets
+//! it head-on is hit as a ball by a bat, and gains speed.
 //!
 //! If you place a platform without setting its velocity, it pushes its load only as it rises. As it
 //! moves sideways or down, it slides away below its load. A body that it crushes against the level

@@ -27,10 +27,11 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
     /// `None` if the ray ends before. For hitscan weapons, lasers and lines of sight.
     ///
     /// Each body is hit by the `cast_ray` of its shape, such as
-    /// [`Circle::cast_ray`](crate::Circle::cast_ray): closed and exact. Bodies that sleep, fixed
-    /// bodies and sensors count, at their current positions. `wanted` is called at most once per
-    /// body, for bodies whose boxes the ray touches. Exclude the shooter by its handle, and choose
-    /// layers by the body's [filter](SceneBody::filter).
+    /// [`Circle::cast_ray`](crate::Circle::cast_ray): exact. A ray that ends at a body hits it. One
+    /// that only slides along it does not, nor does one that leaves its border. Bodies that sleep,
+    /// fixed bodies and sensors count, at their current positions. `wanted` is called at most once
+    /// per body, for bodies whose boxes the ray touches. Exclude the shooter by its handle, and
+    /// choose layers by the body's [filter](SceneBody::filter).
     ///
     /// The times of all shapes are compared by their exact floors in parts of 2^30 of the motion.
     /// At the same time the smaller [key](SceneBody::key) comes first, then the smaller slot. So

@@ -329,9 +329,10 @@ impl<B: BroadPhase<Tag = Keyed<Filter>>, const N: usize, const M: usize, S: Body
         self.slot(handle).map(|slot| slot.support != super::body::ALOFT)
     }
 
-    /// Whether two bodies touch, but the last step did not report it because both rested when it
-    /// began. Call it in the closure of [`PairEvents::finish`](crate::broad::PairEvents::finish).
-    /// False if one was removed.
+    /// Whether two bodies touch of which none moves by itself: each sleeps, is fixed, or has just
+    /// been woken. The next step may not report such a pair. Call it in the closure of
+    /// [`PairEvents::finish`](crate::broad::PairEvents::finish), which asks for pairs that it
+    /// knows. It does not ask the filters. False if one was removed.
     #[must_use]
     pub fn rests(&self, pair: &Pair) -> bool {
         let rested = |slot: &&Slot<S>| slot.mode != Mode::Awake;

@@ -2,8 +2,8 @@
 //! order they are the same bits for every order of insertion (invariant P26, torture scenes 29, 38,
 //! 47).
 //!
-//! `TILESAT_FRAMES` sets the number of random frames (default 4 000, or 12 000 in long runs). From a
-//! million on, the test prints its progress.
+//! `TILESAT_FRAMES` sets the number of random frames (default 4 000, or 12 000 in long runs). From
+//! a million on, the test prints its progress.
 
 use heapless::Vec as Room;
 use std::collections::HashMap;

@@ -6,7 +6,7 @@ use super::steps::{Swept, step_with};
 use core::num::NonZeroU8;
 use tilesat::broad::{Handle, SortSweep};
 use tilesat::scene::{Reply, SceneBody, SceneTag, Shape};
-use tilesat::{Aabb, Circle, Fx, Scene, TileKind, TileKinds, TileMap, Vec2, fx};
+use tilesat::{Aabb, Circle, Fx, Scene, Surface, TileKind, TileKinds, TileMap, Vec2, fx};
 use tilesat_judge::scenes::BODIES;
 use tilesat_judge::{Random, cases};
 
@@ -121,4 +121,35 @@ fn rows_that_are_pressed_against_a_wall_stay_rows() {
     }
     // A light driver may need longer to bring heavy bodies together.
     assert!(pressed * 10 > runs * 9, "{pressed} of {runs}");
+}
+
+/// A heavy ball presses a light box against a tile. Its direction is nearly up: in one image the
+/// box took it for the tile's, in the other one not.
+#[test]
+fn what_presses_a_box_up_has_a_mirror_image() {
+    let ended = |shift: i32, mirrored: bool| {
+        let text = if mirrored { "...#........." } else { ".........#..." };
+        let origin = Vec2::from_ints(if mirrored { -208 } else { 0 }, 0);
+        let level = TileMap::from_ascii(text, &KINDS).unwrap().with_origin(origin).unwrap();
+        let seen = |x: i32, y: i32| Vec2::from_raw(if mirrored { -x } else { x }, y);
+        let (a, b) = (seen(9_092_958, 1 << 20), seen(9_816_815, 1_459_495));
+        let crate_ = Aabb::new(Vec2::new(a.x.min(b.x), a.y), Vec2::new(a.x.max(b.x), b.y)).unwrap();
+        let centre = seen(9_830_844 + shift, 1_898_899);
+        let heavy = SceneBody {
+            velocity: seen(-44_481, -122_129),
+            mass: NonZeroU8::new(97),
+            surface: Surface::ELASTIC,
+            ..SceneBody::new(ball(centre.x, centre.y, Fx::from_bits(443_718)), 20)
+        };
+        let mut scene = Swept::new(SortSweep::new());
+        scene.insert(&heavy).unwrap();
+        let light = scene.insert(&SceneBody::new(crate_, 18)).unwrap();
+        scene.step(&level, Vec2::ZERO, |_| {}).unwrap();
+        let body = scene.body(light).unwrap();
+        let middle = body.shape.aabb().min() + body.shape.aabb().max();
+        (seen(middle.x.to_bits(), middle.y.to_bits()), seen(body.velocity.raw().0, body.velocity.raw().1))
+    };
+    for shift in (-20_000..20_000).step_by(50) {
+        assert_eq!(ended(shift, false), ended(shift, true), "{shift}");
+    }
 }

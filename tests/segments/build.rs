@@ -1,7 +1,8 @@
 //! The tables of segment maps: the cells of a segment, the inside, the rest of shared edges, and
 //! where the boundary continues.
 //!
-//! `TILESAT_CASES` sets the number of random levels of each kind (default 400, or 1500 in long runs).
+//! `TILESAT_CASES` sets the number of random levels of each kind (default 400, or 1500 in long
+//! runs).
 
 use tilesat::PathKind::{OneWay, Solid, Wall};
 use tilesat::{Fx, Grid, Vec2};

@@ -96,8 +96,8 @@ impl<S: Law> Mover<S> {
     }
 }
 
-/// The normal, along x or y, of the face that a motion goes past: of the face that it hits, or of
-/// the side of a corner that it comes to faster. `None` for slopes and arcs.
+/// The normal of the face that a motion goes past. It hits that face, or its corner: then it is the
+/// side to which the motion is faster. `None` for slopes and arcs.
 fn face_of(hit: &Ground) -> Option<Axis> {
     let (normal, d) = (hit.entry.normal, hit.d);
     if hit.entry.step.is_none() && (normal.x == 0 || normal.y == 0) {
