@@ -9,11 +9,20 @@ const MAX_DEPTH: usize = 208;
 
 /// Whether a file contains JSON. Everything else is XML.
 pub(in crate::read) fn is_json(bytes: &[u8]) -> bool {
-    unmarked(bytes).trim_ascii_start().starts_with(b"{")
+    let text = unmarked(bytes).trim_ascii_start();
+    text.starts_with(b"{") || text.starts_with(b"[")
 }
 
-/// Its members, by name.
+/// Its members, by name. A list would be read as members without names.
 pub(in crate::read) fn parse<'a, T: Deserialize<'a>>(bytes: &'a [u8]) -> Result<T, String> {
+    if unmarked(bytes).trim_ascii_start().starts_with(b"[") {
+        return Err("it is a list of JSON, in [], and such a file has members, in {}".to_owned());
+    }
+    list(bytes)
+}
+
+/// A list, or members.
+pub(in crate::read) fn list<'a, T: Deserialize<'a>>(bytes: &'a [u8]) -> Result<T, String> {
     let bytes = unmarked(bytes);
     let mut depth = 0usize;
     for mark in (Marks { bytes, at: 0 }) {

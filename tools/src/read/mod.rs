@@ -41,6 +41,9 @@ impl Pick<'_> {
     }
 }
 
+/// What a user has to give instead of a file that is no level.
+const GIVE: &str = "give a .tmx, .tmj or .world that Tiled has saved, or a .ldtk of LDtk";
+
 /// Reads a map of Tiled (XML or JSON), a world of its maps, or a project of `LDtk`. Of several
 /// levels it reads the named one, or all.
 ///
@@ -97,6 +100,12 @@ fn maps(path: &Path, pick: Pick<'_>, files: &mut Files) -> std::result::Result<V
         "ldtkl" => return Err("one level of an LDtk project: give the project, which ends in .ldtk".to_owned()),
         _ => {}
     }
+    let first = text::unmarked(&bytes).trim_ascii_start().first();
+    // The reader of XML would speak of elements.
+    if first == Some(&b'[') || !matches!(first, Some(b'{' | b'<')) && matches!(&*end, "tmj" | "json" | "ldtk") {
+        let other = || format!("not JSON of a level, which begins with {{: {GIVE}");
+        return Err(tiled::foreign(&bytes).unwrap_or_else(other));
+    }
     if json::is_json(&bytes) && end != "tmj" {
         match ldtk::looks(&bytes) {
             ldtk::Looks::Map => {}
@@ -105,7 +114,7 @@ fn maps(path: &Path, pick: Pick<'_>, files: &mut Files) -> std::result::Result<V
             }
             _ => {
                 let neither = "neither a map of Tiled (it has no orientation) nor a project of LDtk (it has no defs)";
-                return Err(tiled::foreign(&bytes).unwrap_or_else(|| neither.to_owned()));
+                return Err(tiled::foreign(&bytes).unwrap_or_else(|| format!("{neither}: {GIVE}")));
             }
         }
     }

@@ -41,3 +41,31 @@ fn messages_in_the_words_of_the_user() {
         assert!(ran.status == 2 && ran.err.contains(why) && !ran.err.contains("path"), "{why} is not in {ran:?}");
     }
 }
+
+/// What would settle a file that cannot be read. Saving a map again keeps its compression.
+#[test]
+fn unreadable_files_say_what_settles_it() {
+    let good = map(1, 1, "1", "");
+    let data = |form: &str, text: &str| good.replace("encoding=\"csv\">1<", &format!("{form}>{text}<"));
+    let format = "set Tile Layer Format to CSV, and save the map";
+    let (damaged, give) = ("the file is damaged: take a copy that Tiled opens", "give a .tmx, .tmj or .world");
+    let gone = r#"<tileset firstgid="1" source="gone.tsx"/>"#;
+    let gone = format!("{}{gone}{}", good.split("<tileset").next().unwrap(), good.split("</tileset>").nth(1).unwrap());
+    let cases = [
+        ("bad64.tmx", data(r#"encoding="base64""#, "!!!!"), "called base64: '!' at 0 is no sign of base64", damaged),
+        ("badz.tmx", data(r#"encoding="base64" compression="zlib""#, "eJzzzz"), "called base64 and zlib: ", damaged),
+        ("lzma.tmx", data(r#"encoding="base64" compression="lzma""#, "AAAA"), "there are zlib, gzip and zstd", format),
+        ("hex.tmx", data(r#"encoding="hex""#, "01"), "encoding 'hex' is unknown; there are csv and base64", format),
+        ("list.tmj", "[]".to_owned(), "not JSON of a level, which begins with {", give),
+        ("list.ldtk", "[1]".to_owned(), "not JSON of a level, which begins with {", give),
+        ("text.json", "\"a\"".to_owned(), "not JSON of a level, which begins with {", give),
+        ("nothing.tmj", "{}".to_owned(), "it has no orientation", give),
+        ("nothing.json", "{}".to_owned(), "it has no orientation", give),
+        ("gone.tmx", gone, "gone.tsx: cannot read", "put it there, or open the map in Tiled, which asks where it is"),
+    ];
+    for (file, text, what, fix) in cases {
+        let ran = run("bake", scratch("messages", file, text), "--json");
+        let line = ran.err.trim_end();
+        assert!(ran.status == 2 && line.contains(what) && line.contains(fix) && !line.ends_with('.'), "{ran:?}");
+    }
+}

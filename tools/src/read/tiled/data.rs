@@ -6,6 +6,9 @@ use super::unpack::{Packing, unpack};
 /// The limit for all layers of a map together: 4096 x 4096.
 pub(super) const MAX_CELLS: u64 = 1 << 24;
 
+/// How a user chooses another encoding or compression. Saving alone keeps them.
+const FORMAT: &str = "in Tiled, under Map > Map Properties, set Tile Layer Format to CSV, and save the map";
+
 /// The number of tiles, and their form.
 pub(super) struct Form<'a> {
     pub(super) width: u32,
@@ -29,7 +32,7 @@ pub(super) fn gids(data: Data, form: &Form<'_>) -> Result<Vec<u32>, String> {
             Some("csv") => numbers(&text, form)?,
             // In old versions, JSON has no encoding for text in base64 without compression.
             Some("base64") | None => bytes(&text, form)?,
-            Some(other) => return Err(format!("encoding '{other}' is unknown: save the map again in Tiled")),
+            Some(other) => return Err(format!("encoding '{other}' is unknown; there are csv and base64: {FORMAT}")),
         },
     };
     match (gids.len() as u64).cmp(&cells) {
@@ -51,7 +54,9 @@ fn packing(name: Option<&str>) -> Result<Packing, String> {
         None | Some("") => Ok(Packing::None),
         Some("zlib" | "gzip") => Ok(Packing::Deflate),
         Some("zstd") => Ok(Packing::Zstd),
-        Some(other) => Err(format!("compression '{other}' is unknown: save the map again in Tiled")),
+        Some(other) => {
+            Err(format!("compression '{other}' is unknown; there are zlib, gzip and zstd, also none: {FORMAT}"))
+        }
     }
 }
 
@@ -78,7 +83,11 @@ fn numbers(text: &str, form: &Form<'_>) -> Result<Vec<u32>, String> {
 
 fn bytes(text: &str, form: &Form<'_>) -> Result<Vec<u32>, String> {
     let (packing, most) = (packing(form.compression)?, form.cells().saturating_mul(4));
-    let bytes = unpack(text.as_bytes(), packing, most).map_err(|e| format!("cannot unpack: {e}"))?;
+    let bytes = unpack(text.as_bytes(), packing, most).map_err(|why| {
+        let named =
+            form.compression.filter(|name| !name.is_empty()).map_or(String::new(), |name| format!(" and {name}"));
+        format!("cannot unpack what is called base64{named}: {why}: the file is damaged: take a copy that Tiled opens")
+    })?;
     let bytes = bytes.ok_or_else(|| too_long(form))?;
     if bytes.len() % 4 != 0 {
         return Err("its bytes end within a tile: save the map again in Tiled".to_owned());

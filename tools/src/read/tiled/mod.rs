@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use super::file::Files;
-use super::json;
+use super::{GIVE, json};
 use crate::model::decimal::Decimal;
 use crate::model::map::{Content, Gap, Group, Layer, Map};
 use crate::model::object::Spot;
@@ -50,7 +50,7 @@ fn map(bytes: Vec<u8>, path: &Path, files: &mut Files, projects: &mut Projects) 
             return Err(why);
         }
         if map.tilewidth == 0 || map.layers.is_empty() {
-            return Err("not a Tiled map: it has no orientation".to_owned());
+            return Err(format!("not a Tiled map: it has no orientation: {GIVE}"));
         }
         // Scripts and small editors leave it out.
         notes.push("it has no orientation, and is read as an orthogonal map".to_owned());

@@ -14,6 +14,9 @@ use crate::read::json;
 
 type Result<T> = std::result::Result<T, String>;
 
+/// What to do about a file that a map names and nobody finds.
+pub(super) const LOCATE: &str = "put it there, or open the map in Tiled, which asks where it is";
+
 /// The templates of a map, each read once.
 #[derive(Debug, Default)]
 pub(super) struct Templates {
@@ -46,7 +49,7 @@ impl Templates {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
             let bytes = match files.utf8(&path) {
                 Err(why) if !path.exists() => {
-                    let why = of_file(why);
+                    let why = of_file(format!("{why}: {LOCATE}"));
                     return Ok((object, Some(why)));
                 }
                 read => read.map_err(of_file)?,

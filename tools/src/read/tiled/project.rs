@@ -129,7 +129,7 @@ impl Classes {
 /// Before Tiled 1.9, a project named a file of its object types.
 fn object_types(bytes: &[u8]) -> Result<Vec<ObjectType>, String> {
     let text = unmarked(bytes).trim_ascii_start();
-    if text.starts_with(b"[") { json::parse(bytes) } else { tags::object_types(bytes) }
+    if text.starts_with(b"[") { json::list(bytes) } else { tags::object_types(bytes) }
 }
 
 /// Whether a class gives no value: an empty list, or a class without values of its own.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use super::objects::{Templates, alignment, is_flat, is_mirrored, of_tile, shape, with_rest};
+use super::objects::{LOCATE, Templates, alignment, is_flat, is_mirrored, of_tile, shape, with_rest};
 use super::project::Classes;
 use super::{foreign, raw, tags};
 use crate::model::decimal::Decimal;
@@ -97,7 +97,7 @@ impl Sets {
             Err(why) if !path.exists() => {
                 let name =
                     Path::new(&source.replace('\\', "/")).file_stem().unwrap_or_default().to_string_lossy().into();
-                let missing = Some(of_file(why));
+                let missing = Some(of_file(format!("{why}: {LOCATE}")));
                 let set = Tileset { name, size: self.cell, columns: 1, align: (0, 2), missing, ..Tileset::default() };
                 self.all.push(Rc::new(set));
                 self.known.insert(path, self.all.len() - 1);

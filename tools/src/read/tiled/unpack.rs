@@ -2,10 +2,10 @@
 
 use std::io::{Error, ErrorKind, Read, Result};
 
-use base64::Engine;
 use base64::alphabet;
 use base64::engine::DecodePaddingMode;
 use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig};
+use base64::{DecodeError, Engine};
 use flate2::bufread::{GzDecoder, ZlibDecoder};
 use ruzstd::decoding::StreamingDecoder;
 
@@ -32,7 +32,12 @@ const ZSTD_WINDOW: u64 = 1 << 26;
 pub(super) fn unpack(text: &[u8], packing: Packing, most: u64) -> Result<Option<Vec<u8>>> {
     // Some programs wrap the text.
     let text: Vec<u8> = text.iter().copied().filter(|byte| !byte.is_ascii_whitespace()).collect();
-    let packed = BASE64.decode(text).map_err(invalid)?;
+    let packed = BASE64.decode(text).map_err(|why| match why {
+        DecodeError::InvalidByte(at, byte) => {
+            invalid(format!("'{}' at {at} is no sign of base64", byte.escape_ascii()))
+        }
+        _ => invalid("base64 ends within a byte"),
+    })?;
     let limit = most.saturating_add(1);
     let mut bytes = Vec::new();
     match packing {
