@@ -106,7 +106,8 @@ pub fn bake(maps: &[Map], options: &Options, cut: &Cut) -> Result<World> {
         return Err(Fail::new("every level is skipped: remove an --ignore-level"));
     };
     if let Some(other) = parts.iter().find(|part| part.cell != cell) {
-        let why = "rooms of one world have cells of one size";
+        let why = "rooms of one world have cells of one size: give all maps the same Tile Width in Tiled, all layers \
+                   with solids the same grid in LDtk, or --ignore-level skips one";
         return Err(Fail::new(format!(
             "level '{}' has cells of {} pixels, the first {cell}: {why}",
             other.name, other.cell

@@ -42,6 +42,12 @@ impl Sheet<'_> {
         self.used.iter().any(|(entry, _)| self.pieces.contains_key(entry) || self.flags.contains_key(entry))
     }
 
+    /// How many of its tiles are solid in whole cells.
+    fn solids(&self) -> usize {
+        let shapes = |cell: &&u32| matches!(self.pieces.get(cell), Some(Piece::Shape(_) | Piece::Cells { .. }));
+        self.tiles.cells.iter().filter(shapes).count()
+    }
+
     /// Whether its layer has no offset.
     fn stays(&self) -> bool {
         let raw = |offset: Decimal| Unit::new(None).raw(offset).0;
@@ -89,35 +95,52 @@ impl Lattice {
         Self { tile: sheet.tiles.tile, phase: (phase(sheet.layer.offset.0), phase(sheet.layer.offset.1)) }
     }
 
-    /// The column and row of the first cell of a layer on this lattice.
-    fn start(self, sheet: &Sheet<'_>) -> (i64, i64) {
+    /// The same with cells of another size.
+    fn resized(self, tile: u16) -> Self {
+        let side = i64::from(tile) << 16;
+        Self { tile, phase: (self.phase.0.rem_euclid(side), self.phase.1.rem_euclid(side)) }
+    }
+
+    /// How many cells a cell of the layer is along x and y, if it is some of them exactly.
+    fn parts(self, sheet: &Sheet<'_>) -> Option<u16> {
+        let fits = sheet.tiles.tile.is_multiple_of(self.tile) && Self::of(sheet).resized(self.tile) == self;
+        fits.then(|| sheet.tiles.tile / self.tile)
+    }
+
+    /// The column and row of the first cell of a layer whose cells are so many of this lattice.
+    fn start(self, sheet: &Sheet<'_>, parts: u16) -> (i64, i64) {
         let side = i64::from(self.tile) << 16;
-        let along =
-            |offset: Decimal, phase: i64, at: i32| (Unit::new(None).raw(offset).0 - phase) / side + i64::from(at);
+        let along = |offset: Decimal, phase: i64, at: i32| {
+            (Unit::new(None).raw(offset).0 - phase) / side + i64::from(at) * i64::from(parts)
+        };
         let (offset, at) = (sheet.layer.offset, sheet.tiles.at);
         (along(offset.0, self.phase.0, at.0), along(offset.1, self.phase.1, at.1))
     }
 }
 
-/// Merges the sheets, the lowest first.
-pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, String> {
-    let Some(lattice) = best(sheets) else { return Ok(Cells::default()) };
+/// Merges the sheets, the lowest first. All levels of a project can have cells of one side.
+pub(super) fn merge(sheets: &[Sheet<'_>], side: Option<u16>, flags: &mut Flags) -> Result<Cells, String> {
+    let Some(lattice) = best(sheets, side) else { return Ok(Cells { tile: side.unwrap_or(0), ..Cells::default() }) };
     let mut cells = Cells { tile: lattice.tile, ..Cells::default() };
-    let fits = |sheet: &&Sheet<'_>| Lattice::of(sheet) == lattice && !sheet.tiles.cells.is_empty();
-    // Scenery that is moved, such as the tops of walls, adds no empty rows.
-    let mut on: Vec<&Sheet<'_>> = sheets.iter().filter(fits).filter(|sheet| sheet.counts() || sheet.stays()).collect();
+    let fitting = sheets.iter().filter(|sheet| !sheet.tiles.cells.is_empty());
+    let fitting: Vec<(&Sheet<'_>, u16)> = fitting.filter_map(|sheet| Some((sheet, lattice.parts(sheet)?))).collect();
+    // Scenery that is moved, such as the tops of walls, adds no empty rows. Nor does that of layers
+    // with other cells.
+    let whole = |sheet: &Sheet<'_>, parts: u16| sheet.counts() || parts == 1 && sheet.stays();
+    let mut on = fitting.clone();
+    on.retain(|(sheet, parts)| whole(sheet, *parts));
     if on.is_empty() {
-        on = sheets.iter().filter(fits).collect();
+        on = fitting;
     }
     if on.is_empty() {
         return Ok(cells);
     }
-    let starts = on.iter().map(|sheet| lattice.start(sheet));
+    let starts = on.iter().map(|(sheet, parts)| lattice.start(sheet, *parts));
     let (left, top) = starts.clone().fold((i64::MAX, i64::MAX), |at, start| (at.0.min(start.0), at.1.min(start.1)));
-    let ends = on
-        .iter()
-        .zip(starts)
-        .map(|(sheet, at)| (at.0 + i64::from(sheet.tiles.width), at.1 + i64::from(sheet.tiles.height)));
+    let ends = on.iter().zip(starts).map(|((sheet, parts), at)| {
+        let along = |count: u32| i64::from(count) * i64::from(*parts);
+        (at.0 + along(sheet.tiles.width), at.1 + along(sheet.tiles.height))
+    });
     let (right, bottom) = ends.fold((left, top), |at, end| (at.0.max(end.0), at.1.max(end.1)));
     let (width, height) = (right - left, bottom - top);
     if width.saturating_mul(height) > MAX_CELLS {
@@ -129,38 +152,47 @@ pub(super) fn merge(sheets: &[Sheet<'_>], flags: &mut Flags) -> Result<Cells, St
     cells.kinds = vec![TileKind::EMPTY; (width * height) as usize];
     let mut edges = 0;
     for sheet in sheets {
-        let fits = Lattice::of(sheet) == lattice;
-        let start = lattice.start(sheet);
-        let from = if fits { (start.0 - left, start.1 - top) } else { (0, 0) };
-        cells
-            .lay(sheet, fits.then_some(from), flags, &mut edges)
-            .map_err(|why| format!("layer '{}': {why}", sheet.layer.name))?;
+        let from = lattice.parts(sheet).map(|parts| {
+            let start = lattice.start(sheet, parts);
+            ((start.0 - left, start.1 - top), parts)
+        });
+        cells.lay(sheet, from, flags, &mut edges).map_err(|why| format!("layer '{}': {why}", sheet.layer.name))?;
     }
     Ok(cells)
 }
 
-/// The lattice with the most tiles that are solid or have flags. On a tie, that of the first layer.
-fn best(sheets: &[Sheet<'_>]) -> Option<Lattice> {
-    let mut count: Vec<(Lattice, usize)> = Vec::new();
-    for sheet in sheets {
-        let lattice = Lattice::of(sheet);
-        let shapes = |cell: &&u32| matches!(sheet.pieces.get(cell), Some(Piece::Shape(_) | Piece::Cells { .. }));
-        let solid = sheet.tiles.cells.iter().filter(shapes).count();
-        match count.iter_mut().find(|(known, _)| *known == lattice) {
-            Some((_, all)) => *all += solid,
-            None => count.push((lattice, solid)),
+/// The side of the cells for several levels: that of the most solid tiles of all.
+pub(super) fn side<'a>(sheets: impl Iterator<Item = &'a Sheet<'a>>) -> Option<u16> {
+    most(sheets.map(|sheet| (sheet.tiles.tile, sheet.solids())))
+}
+
+/// The lattice with the most solid tiles, of this side if it is given.
+fn best(sheets: &[Sheet<'_>], side: Option<u16>) -> Option<Lattice> {
+    let all = || sheets.iter().map(|sheet| (Lattice::of(sheet), sheet.solids()));
+    let of_side = most(all().filter(|(lattice, _)| side.is_none_or(|side| side == lattice.tile)));
+    of_side.or_else(|| Some(most(all())?.resized(side?)))
+}
+
+/// The one with the highest sum. On a tie, the first one.
+fn most<T: PartialEq>(counts: impl Iterator<Item = (T, usize)>) -> Option<T> {
+    let mut sums: Vec<(T, usize)> = Vec::new();
+    for (of, count) in counts {
+        match sums.iter_mut().find(|(known, _)| *known == of) {
+            Some((_, sum)) => *sum += count,
+            None => sums.push((of, count)),
         }
     }
-    // `max_by_key` keeps the last of equals, and the first layer should win.
-    count.into_iter().rev().max_by_key(|(_, solid)| *solid).map(|(lattice, _)| lattice)
+    // `max_by_key` keeps the last of equals.
+    sums.into_iter().rev().max_by_key(|(_, sum)| *sum).map(|(of, _)| of)
 }
 
 impl Cells {
-    /// Puts a sheet on top. `from` is its first cell on the lattice, if it lies on it.
+    /// Puts a sheet on top. `from` is its first cell on the lattice, if it lies on it, and how many
+    /// cells each of its own is along x and y.
     fn lay(
         &mut self,
         sheet: &Sheet<'_>,
-        from: Option<(i64, i64)>,
+        from: Option<((i64, i64), u16)>,
         flags: &mut Flags,
         edges: &mut usize,
     ) -> Result<(), String> {
@@ -178,17 +210,21 @@ impl Cells {
                 };
                 (last, piece) = (cell, sheet.pieces.get(&cell));
             }
-            let Some(from) = from else {
+            let Some((from, parts)) = from else {
                 if mask != 0 && !self.lost.contains(&sheet.layer.name) {
                     self.lost.push(sheet.layer.name.clone());
                 }
                 self.apart(sheet, (x, y), piece, mask, edges)?;
                 continue;
             };
-            let at = (from.0 + i64::from(x - sheet.tiles.at.0), from.1 + i64::from(y - sheet.tiles.at.1));
+            let along = |cells: i32| i64::from(cells) * i64::from(parts);
+            let at = (from.0 + along(x - sheet.tiles.at.0), from.1 + along(y - sheet.tiles.at.1));
+            let block = |((dx, dy), size): piece::Block| {
+                ((at.0 + along(dx), at.1 + along(dy)), (along(size.0) as i32, along(size.1) as i32))
+            };
             if mask != 0 {
-                let ((dx, dy), size) = sheet.flagged.get(&cell).copied().unwrap_or(((0, 0), (1, 1)));
-                let (within, beyond) = self.split((at.0 + i64::from(dx), at.1 + i64::from(dy)), size);
+                let (first, size) = block(sheet.flagged.get(&cell).copied().unwrap_or(((0, 0), (1, 1))));
+                let (within, beyond) = self.split(first, size);
                 if piece.is_none() && !beyond.is_empty() {
                     self.loses(&sheet.layer.name);
                 }
@@ -199,14 +235,25 @@ impl Cells {
                 }
             }
             match piece {
+                Some(Piece::Shape(TileShape::Full)) if parts > 1 => {
+                    let (first, size) = block(((0, 0), (1, 1)));
+                    for cell in self.split(first, size).0 {
+                        self.put(cell, TileShape::Full);
+                    }
+                }
+                // Several cells rarely have the shape together, so it stays one polygon.
+                Some(Piece::Shape(shape)) if parts > 1 => {
+                    self.paths(sheet, (x, y), &piece::as_path(*shape, sheet.tiles.tile), mask, edges)?;
+                }
                 Some(Piece::Shape(shape)) => {
                     if let Some(rest) = self.put(at, *shape) {
                         self.paths(sheet, (x, y), &piece::as_path(rest, self.tile), mask, edges)?;
                     }
                 }
-                Some(Piece::Cells { at: (dx, dy), size, beside }) => {
+                Some(Piece::Cells { at: first, size, beside }) => {
                     self.paths(sheet, (x, y), beside, mask, edges)?;
-                    let (within, beyond) = self.split((at.0 + i64::from(*dx), at.1 + i64::from(*dy)), *size);
+                    let (first, size) = block((*first, *size));
+                    let (within, beyond) = self.split(first, size);
                     for cell in within {
                         self.put(cell, TileShape::Full);
                     }

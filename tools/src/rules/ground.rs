@@ -105,6 +105,7 @@ impl<'a> Drawn<'a> {
         let mut levels: Vec<Search<'a>> = maps.iter().map(search).collect::<Result<_>>()?;
         for project in levels.chunk_by_mut(|a, b| a.map.project == b.map.project) {
             search::guess(project).map_err(Fail::new)?;
+            search::decide_cells(project);
         }
         Ok(levels.into_iter().map(Self).collect())
     }
@@ -158,7 +159,7 @@ const FALL: &str = "bodies pass through what is not solid";
 type Made<T> = std::result::Result<T, String>;
 
 fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
-    let Search { map, mut layers, mut sheets, mut outlines, mut left_out, mut doubts } = search;
+    let Search { map, mut layers, mut sheets, mut outlines, mut left_out, mut doubts, side } = search;
     let options = layers.options;
     let unit = Unit::new(options.scale);
     let (named, dropped) = (flags.names.len(), flags.dropped.len());
@@ -169,7 +170,7 @@ fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
     for line in &sides {
         layers.note(format!("GUESS: {line}"));
     }
-    let cells = cells::merge(&sheets, flags)?;
+    let cells = cells::merge(&sheets, side, flags)?;
     layers.unseen(&sheets, &outlines);
     let of_tiles = paths::outlines(&cells, unit, options.weld(), flags, &mut layers.notes)?;
     outlines.splice(0..0, of_tiles);
@@ -297,10 +298,13 @@ fn settled(
     (unit, rooms): (Unit, bool),
     solid: &str,
 ) -> Made<Ground> {
-    let tile = unit.side(if cells.tile == 0 { map.tile } else { cells.tile })?;
+    let own = if cells.tile == 0 { map.tile } else { cells.tile };
+    let tile = unit.side(own)?;
     let side = i64::from(tile) << 16;
     // Without tiles, the map gives the size of the level.
-    let (width, height) = if cells.kinds.is_empty() { map.size } else { (cells.width, cells.height) };
+    let of_map = |count: u32| (u64::from(count) * u64::from(map.tile)).div_ceil(own.into()) as u32;
+    let of_map = (of_map(map.size.0), of_map(map.size.1));
+    let (width, height) = if cells.kinds.is_empty() { of_map } else { (cells.width, cells.height) };
     let at = (unit.raw_of_raw(cells.at.0), unit.raw_of_raw(cells.at.1));
     let ends = |from: i64, count: u32| (from >> 16, (from + side * i64::from(count) + 65535) >> 16);
     let (x, y) = (ends(at.0, width), ends(at.1, height));

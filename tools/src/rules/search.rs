@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::called::{self, Guess};
-use super::cells::Sheet;
+use super::cells::{self, Sheet};
 use super::ground::Doubt;
 use super::guess;
 use super::layers::Layers;
@@ -29,6 +29,8 @@ pub(super) struct Search<'a> {
     pub(super) outlines: Vec<Outline>,
     pub(super) left_out: Vec<LeftOut>,
     pub(super) doubts: Vec<Doubt>,
+    /// The side of a cell, if the levels of the project decide about it.
+    pub(super) side: Option<u16>,
 }
 
 impl<'a> Search<'a> {
@@ -48,7 +50,7 @@ impl<'a> Search<'a> {
         let mut doubts = unread::templates(map, options)?;
         doubts.extend(unread::tilesets(map, &sheets)?);
         let (outlines, left_out) = layers.objects(None)?;
-        Ok(Self { map, layers, sheets, outlines, left_out, doubts })
+        Ok(Self { map, layers, sheets, outlines, left_out, doubts, side: None })
     }
 
     fn has_solid_tile(&self) -> bool {
@@ -120,6 +122,17 @@ pub(super) fn guess(levels: &mut [Search<'_>]) -> Made<()> {
         }
     }
     Ok(())
+}
+
+/// Gives all levels of a project of `LDtk` cells of one size: each has the same layers, and rooms
+/// of several sizes do not fit together. A map of Tiled has the size of its own cells.
+pub(super) fn decide_cells(levels: &mut [Search<'_>]) {
+    if levels.len() > 1 && levels.iter().all(|level| level.map.values) {
+        let side = cells::side(levels.iter().flat_map(|level| &level.sheets));
+        for level in levels {
+            level.side = side;
+        }
+    }
 }
 
 /// A layer that bodies walk on in one level is no solid in another one.

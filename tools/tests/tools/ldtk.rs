@@ -290,3 +290,49 @@ fn a_guess_about_a_layer_is_said_once() {
     let ran = run("bake", scratch("ldtk", "pile.ldtk", refused), "--json");
     assert!(ran.err.contains("the tile layer is 'Trees' (3 tiles): add --solid-layer 'Trees'"), "{ran:?}");
 }
+
+/// A project of two levels with the same two layers. Only the number of fine walls differs.
+fn two_grids(offset: i32) -> String {
+    let layer = |uid: u32, name: &str, side: u32, csv: &str| {
+        let (width, height) = (64 / side, 32 / side);
+        format!(
+            r#"{{"__type":"IntGrid","__identifier":"{name}","__cWid":{width},"__cHei":{height},"__gridSize":{side},
+            "__pxTotalOffsetX":{},"__pxTotalOffsetY":0,"layerDefUid":{uid},"intGridCsv":[{csv}]}}"#,
+            if name == "Coarse" { offset } else { 0 }
+        )
+    };
+    let level = |name: &str, x: i32, fine: usize| {
+        let values: Vec<&str> = (0..32).map(|cell| if cell < fine { "1" } else { "0" }).collect();
+        let (fine, coarse) = (layer(2, "Fine", 8, &values.join(",")), layer(1, "Coarse", 16, "0,2,0,0,1,2,1,1"));
+        format!(
+            r#"{{"identifier":"{name}","worldX":{x},"worldY":0,"pxWid":64,"pxHei":32,"layerInstances":[{fine},{coarse}]}}"#
+        )
+    };
+    format!(
+        r#"{{"worldLayout":"Free","defs":{{"layers":[
+        {{"uid":1,"intGridValues":[{{"value":1,"identifier":"Wall"}},{{"value":2,"identifier":"Ladder"}}]}},
+        {{"uid":2,"intGridValues":[{{"value":1,"identifier":"Wall"}}]}}]}},"levels":[{},{}]}}"#,
+        level("L0", 0, 8),
+        level("L1", 64, 1)
+    )
+}
+
+/// The levels of a project have cells of one size. A coarse tile is some fine ones, and they have
+/// its flags.
+#[test]
+fn levels_of_layers_with_several_grids_have_one_size_of_cells() {
+    let file = scratch("ldtk", "two_grids.ldtk", two_grids(0));
+    let ran = run("bake", &file, "--json");
+    let lines: Vec<serde_json::Value> = ran.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    for (level, solid) in lines.iter().zip([20, 13]) {
+        let found = [&level["cell"], &level["solid"], &level["segments"], &level["flags"]["Ladder"]];
+        assert_eq!(found, [8, solid, 0, 8], "{level}");
+        assert!(level["warnings"].as_array().unwrap().is_empty(), "{level}");
+    }
+    assert_eq!(lines.len(), 2, "{ran:?}");
+    let ran = run("rooms", &file, &format!("-o {}", scratch("ldtk", "two_grids.rs", "").display()));
+    assert!(ran.status == 0 && ran.out.contains("rooms   2 of cells of 8 px"), "{ran:?}");
+    // Between the cells nothing can have its flags, and a coarse wall is a polygon.
+    let ran = run("bake", scratch("ldtk", "two_grids_moved.ldtk", two_grids(4)), "--json");
+    assert!(ran.out.contains("layer 'Coarse': its flags are in no output"), "{ran:?}");
+}
