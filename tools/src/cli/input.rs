@@ -55,7 +55,8 @@ box without a blank: collisionlayer. One-way finds do not end the search. All le
 decided together. A note names each guess, and each layer that a guess would have made
 solid.
 What a tile, an object or a layer denies (its property solid or collides is false) is not
-solid by b, c and d. Nor is a tile that is walkable, by c and d. A sensor or a trigger is
+solid by b, c and d. By a it is, with a warning: its class or other property counts. But
+what an object itself denies counts more than the marks of its template and its tile. Nor is a tile that is walkable, by c and d. A sensor or a trigger is
 not solid by a, either, nor is a tile in a layer that denies it. A group says it for its
 layers; of a layer and the groups around it, the nearest that says something counts.
 All other classes and true properties are flags: the first eight, from the lowest layer

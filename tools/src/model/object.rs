@@ -41,6 +41,15 @@ pub struct Stamp {
     pub flip: Flip,
 }
 
+/// How much of an object is set at itself. The rest is from its template, its tile or its class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Own {
+    pub name: bool,
+    pub class: bool,
+    /// So many properties, the first ones.
+    pub properties: usize,
+}
+
 /// An object, with the values of its template.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Object {
@@ -49,6 +58,7 @@ pub struct Object {
     pub name: String,
     pub class: String,
     pub properties: Properties,
+    pub own: Own,
     /// Values for the game, which decide nothing here: the fields of an `LDtk` entity.
     pub fields: Properties,
     /// The points of each field that has some, in pixels of the layer.
@@ -63,6 +73,19 @@ pub struct Object {
 }
 
 impl Object {
+    /// The same with only the name, the class and the properties that are set at itself.
+    pub(crate) fn itself(&self) -> Self {
+        let mut alone = self.clone();
+        alone.properties.0.truncate(self.own.properties);
+        if !self.own.name {
+            alone.name.clear();
+        }
+        if !self.own.class {
+            alone.class.clear();
+        }
+        alone
+    }
+
     /// Whether it is nothing but a form: it has no name, no class, no properties and no picture.
     pub(crate) fn is_plain(&self) -> bool {
         [&self.name, &self.class].into_iter().all(|text| text.trim().is_empty())

@@ -23,7 +23,8 @@
 //!    without an identifier follow the rules `c` and `d` of their layers.
 //!
 //! Of solid and one-way, one-way says more. What a tile or a layer denies, such as a property
-//! `solid` that is false, is not solid because of a weaker rule. A group denies for its layers.
+//! `solid` that is false, is not solid because of a weaker rule. A group denies for its layers. A
+//! mark and a denial on one element are a doubt. An object denies its template and its tile.
 
 use std::collections::{BTreeSet, HashSet};
 use std::fmt;
@@ -38,7 +39,7 @@ use super::outline::{LeftOut, Outline};
 use super::place::{self, Unit};
 use super::report::Applied;
 use super::search::{self, Search};
-use super::{doubts, nothing, objects, paths, unused};
+use super::{contrary, doubts, nothing, objects, paths, unused};
 use crate::fail::{Fail, Result};
 use crate::model::map::{Content, Map, Place};
 
@@ -191,6 +192,8 @@ fn make(search: Search<'_>, flags: &mut Flags) -> Made<Ground> {
         layers.crowded(&sheets, &cells);
     }
     doubts.extend(map.warnings.iter().map(|(who, what)| Doubt { who: who.clone(), what: what.clone(), why: READ }));
+    doubts.extend(contrary::tiles(map, &sheets, options)?);
+    doubts.extend(contrary::objects(&layers.all, options)?);
     for layer in &cells.lost {
         let what = "its flags are in no output: its cells are not those of the solid; give both layers one grid";
         doubts.push(Doubt {

@@ -2,6 +2,7 @@
 
 mod called;
 mod cells;
+mod contrary;
 mod doubts;
 mod edges;
 pub mod flags;

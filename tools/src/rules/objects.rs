@@ -92,6 +92,9 @@ pub(super) fn outlines(
     if marked::senses(&object.class, &object.properties) && !by_user() {
         return left_out("it is a sensor or a trigger".to_owned());
     }
+    if let Some(name) = overridden(object, options)?.filter(|_| !by_user()) {
+        return left_out(format!("its property '{name}' is false"));
+    }
     let kind = match kind(object, if denied.is_some() { Says::Nothing } else { says }, options)? {
         // A tile has an inside.
         Some(Kind::Wall) if is_tile => Kind::Solid,
@@ -236,6 +239,33 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         ));
     }
     Ok(kind)
+}
+
+/// The property by which an object itself denies what its template, its tile or its class makes it.
+/// Nothing else is nearer.
+fn overridden(object: &Object, options: &Options) -> Result<Option<String>, String> {
+    if marked::denied(&object.properties).is_none() {
+        return Ok(None);
+    }
+    let itself = object.itself();
+    let marked = |object: &Object| Ok::<_, String>(kind(object, Says::Nothing, options)?.is_some());
+    let denied = marked::denied(&itself.properties).map(str::to_owned);
+    Ok(if marked(object)? && !marked(&itself)? { denied } else { None })
+}
+
+/// The property by which an object denies that it is solid, if it is solid all the same by its own
+/// marks.
+pub(super) fn contradicted(object: &Object, layer: &Layer, options: &Options) -> Result<Option<String>, String> {
+    let Some(denied) = [&object.properties, &object.fields].into_iter().find_map(marked::denied) else {
+        return Ok(None);
+    };
+    let by_user = || {
+        let known: Vec<String> = names(object).map(str::to_owned).chain(object.properties.valued()).collect();
+        by_option(layer, options) || options.shape(&known).is_some()
+    };
+    let solid = kind(object, Says::Nothing, options)?.is_some_and(Kind::is_solid) && form::has_extent(object);
+    let counts = solid && !marked::senses(&object.class, &object.properties) && !by_user();
+    Ok(if counts && overridden(object, options)?.is_none() { Some(denied.to_owned()) } else { None })
 }
 
 /// The names of a hole and of something else, if an object has both.

@@ -251,3 +251,57 @@ fn groups_deny_as_they_claim() {
     let why = "layer 'Walls' is not solid, because the property 'solid' of its group 'A' is false";
     assert!(ran.status == 2 && ran.err.contains(why), "{ran:?}");
 }
+
+/// A tile or an object that says both has a warning. The mark counts.
+#[test]
+fn a_mark_and_its_denial_on_one_element() {
+    let no = property("solid", false);
+    let tile = rows(&["#"]).replace(r#"type="Solid"/>"#, &format!(r#"type="Solid">{no}</tile>"#));
+    let object = format!(r#"<object id="7" class="Wall" x="0" y="0" width="16" height="16">{no}</object>"#);
+    let object = objects(&object).replace(r#" class="Solid">"#, ">");
+    let named = objects(&format!(r#"<object id="7" name="Wall" x="0" y="0" width="16" height="16">{no}</object>"#));
+    for (file, text, who, mark) in [
+        ("both_tile.tmx", tile, "tile 0 of tileset 't'", "class 'Solid'"),
+        ("both_object.tmx", object, "object 7 of layer 'L'", "class 'Wall'"),
+        ("both_name.tmx", named, "object 7 'Wall' of layer 'L'", "name 'Wall'"),
+    ] {
+        let line = format!("{who}: its {mark} says solid, and counts; its property 'solid' is false");
+        let level = baked(file, &text);
+        assert!(level["solid"] == 1 || level["segments"] == 4, "{level}");
+        let warnings = level["warnings"].as_array().unwrap();
+        assert!(warnings.len() == 1 && warnings[0].as_str().unwrap().starts_with(&line), "{level}");
+        let ran = run("lint", scratch("marks", file, text), "");
+        assert!(ran.out.contains(&format!("warning doubtful at (0, 0): {line}")), "{ran:?}");
+    }
+    // One way is not quite solid.
+    let one_way = rows(&["#=", "#="]).replace(r#"type="OneWay"/>"#, &format!(r#"type="OneWay">{no}</tile>"#));
+    let level = baked("one_way.tmx", &one_way);
+    assert!(level["one_way"] == 2 && level["warnings"] == serde_json::json!([]), "{level}");
+}
+
+/// What an object itself denies counts more than its template and its tile.
+#[test]
+fn an_object_denies_its_template_and_its_tile() {
+    let template = r#"<template><object class="Solid" width="16" height="16"/></template>"#;
+    let _ = scratch("marks", "box.tx", template);
+    let (no, yes) = (property("solid", false), property("solid", true));
+    let object =
+        |id: u32, of: &str, x: u32, own: &str| format!(r#"<object id="{id}" {of} x="{x}" y="32">{own}</object>"#);
+    let (of_template, of_tile) = (r#"template="box.tx""#, r#"gid="1" width="16" height="16""#);
+    let all = [
+        object(1, of_template, 0, ""),
+        object(2, of_template, 32, &no),
+        object(3, of_tile, 64, ""),
+        object(4, of_tile, 96, &no),
+        // Its own class is as near as its property.
+        object(5, &format!(r#"{of_template} class="Wall""#), 128, &no),
+        object(6, of_template, 160, &yes),
+    ];
+    let text = objects(&all.concat()).replace(r#" class="Solid">"#, ">");
+    let level = baked("denied_template.tmx", &text);
+    let ignored: Vec<&str> = level["ignored"].as_array().unwrap().iter().filter_map(|line| line.as_str()).collect();
+    let denied = [2, 4].map(|id| format!("object {id} of layer 'L': its property 'solid' is false"));
+    assert!(level["segments"] == 16 && ignored == denied, "{level}");
+    let warnings = level["warnings"].as_array().unwrap();
+    assert!(warnings.len() == 1 && warnings[0].as_str().unwrap().starts_with("object 5 "), "{level}");
+}

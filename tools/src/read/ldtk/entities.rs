@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::raw;
 use crate::model::decimal::Decimal;
-use crate::model::object::{Form, Object, Spot};
+use crate::model::object::{Form, Object, Own, Spot};
 use crate::model::property::{Properties, Value};
 
 /// Numbers for the entities of a project, by their names in the file.
@@ -54,6 +54,7 @@ pub(super) fn object(entity: &raw::Entity, id: u32, side: u16, ids: &mut Ids) ->
         name: entity.name.clone(),
         class: entity.name.clone(),
         properties: Properties(marks.collect()),
+        own: Own { name: true, class: true, properties: entity.tags.len() },
         fields: Properties(values),
         paths: paths.collect(),
         at: (corner(entity.px.0, entity.width, entity.pivot.0), corner(entity.px.1, entity.height, entity.pivot.1)),

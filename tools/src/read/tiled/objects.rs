@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::{foreign, raw, tags};
 use crate::model::decimal::Decimal;
 use crate::model::flip::Flip;
-use crate::model::object::{Form, Object, Stamp};
+use crate::model::object::{Form, Object, Own, Stamp};
 use crate::model::property::Properties;
 use crate::model::tileset::Tileset;
 use crate::read::file::Files;
@@ -42,7 +42,10 @@ impl Templates {
         folder: &Path,
         files: &mut Files,
     ) -> Result<(raw::Object, Option<String>)> {
-        let object = object.settled();
+        let mut object = object.settled();
+        let given = |text: &Option<String>| text.as_ref().is_some_and(|text| !text.is_empty());
+        let properties = object.properties.0.0.len();
+        object.own = Own { name: given(&object.name), class: given(&object.class), properties };
         let Some(name) = &object.template else { return Ok((object, None)) };
         let path = files.named(folder, name);
         if !self.objects.contains_key(&path) {
@@ -90,6 +93,7 @@ fn filled(own: raw::Object, template: &raw::Object) -> raw::Object {
         gid: own.gid.or(template.gid),
         visible: own.visible.or(template.visible),
         properties: raw::Listed(properties),
+        own: own.own,
         ..form
     }
 }
@@ -227,6 +231,7 @@ pub(super) fn shape(object: raw::Object) -> Result<Object> {
         name: object.name.unwrap_or_default(),
         class: object.class.unwrap_or_default(),
         properties: Properties(object.properties.0.0),
+        own: object.own,
         fields: Properties::default(),
         paths: Vec::new(),
         at: (object.x.0, object.y.0),

@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer};
 pub(super) use super::number::Number;
 use super::number::one;
 use crate::model::decimal::Decimal;
-use crate::model::object::Spot;
+use crate::model::object::{Own, Spot};
 use crate::model::property::{CLASS, LIST, Properties, Value};
 use crate::model::tileset::Part;
 use crate::read::lax;
@@ -247,6 +247,8 @@ pub(super) struct Object {
     pub(super) template: Option<String>,
     #[serde(deserialize_with = "lax::given")]
     pub(super) properties: Listed,
+    #[serde(skip)]
+    pub(super) own: Own,
 }
 
 impl Object {
