@@ -165,8 +165,9 @@ fn shown(names: &[&str]) -> String {
 /// `NAME` or `NAME=SHAPE`.
 pub(crate) fn solid(text: &str) -> std::result::Result<(String, TileShape), String> {
     let Some((name, shape)) = text.rsplit_once('=') else { return Ok((text.to_owned(), TileShape::Full)) };
-    let known = names::shape(shape.trim())
-        .ok_or_else(|| format!("'{shape}' is not a shape; name one such as slope-bottom-left (see --help)"))?;
+    let known = names::shape(shape.trim()).ok_or_else(|| {
+        format!("'{shape}' is not a shape; name one such as slope-bottom-left (see tilesat help rules)")
+    })?;
     Ok((name.trim().to_owned(), known))
 }
 

@@ -7,6 +7,7 @@ mod lint;
 pub mod play;
 mod program;
 mod rooms;
+mod rules;
 mod sheet;
 mod tell;
 
@@ -24,7 +25,8 @@ Checks, bakes and plays levels of Tiled and LDtk for the crate tilesat.
   play     play a level with a scripted player, boxes and balls
   sheet    draw every shape of a tile with its faces, corners and arcs
 
-tilesat COMMAND --help lists the arguments of each. tilesat --version prints the version.
+tilesat COMMAND --help lists the arguments of each. tilesat help rules prints what is
+solid in a level, and why. tilesat --version prints the version.
 ";
 
 /// The whole program except for the process around it. Returns the exit status.
@@ -42,6 +44,7 @@ fn command(mut args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &
         Some("play") => play::run(&play::Program::default(), args, out, err),
         Some("rooms") => rooms::run(args, out, err),
         Some("sheet") => sheet::run(args, out, err),
+        Some("help") => help(args, out, err),
         Some("--version" | "-V") => {
             tell::tell(out, concat!("tilesat ", env!("CARGO_PKG_VERSION")));
             0
@@ -62,4 +65,25 @@ fn command(mut args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &
             2
         }
     }
+}
+
+/// A topic, or the usage of a command.
+fn help(mut args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
+    let topic = args.next().map(|topic| topic.to_string_lossy().into_owned());
+    let usage = std::iter::once(OsString::from("--help"));
+    match topic.as_deref() {
+        None => tell::usage(out, USAGE),
+        Some("rules") => tell::usage(out, rules::RULES),
+        Some("bake") => return bake::run(usage, out, err),
+        Some("lint") => return lint::run(usage, out, err),
+        Some("play") => return play::run(&play::Program::default(), usage, out, err),
+        Some("rooms") => return rooms::run(usage, out, err),
+        Some("sheet") => return sheet::run(usage, out, err),
+        Some(other) => {
+            let topics = "there is help about: rules, bake, rooms, lint, play, sheet";
+            tell::tell(err, &format!("tilesat help: no topic is called {other}; {topics}"));
+            return 2;
+        }
+    }
+    0
 }

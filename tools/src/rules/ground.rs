@@ -8,7 +8,8 @@
 //!    `shape` and `npp` name its shape. If it is drawn in the collision editor, that is its shape.
 //! 3. `b`: it has shapes of Tiled's collision editor. A shape within 1/8 pixel of one of the
 //!    library's becomes that one. All others become polygons beside the tiles. Shapes that are
-//!    sensors or triggers do not count, nor do those in a layer of coins.
+//!    sensors or triggers do not count, nor do those in a layer of coins. A tile with only such
+//!    shapes has none: `a` and `c` make it full.
 //! 4. `c`: its layer or a group around it has a name, a class or a true property with the word
 //!    collision, collider, collide, collidable, solid, blocked or blocking, or with words for
 //!    one-way. Values of `LDtk` follow it, except those whose own names say that they are free.

@@ -37,7 +37,9 @@ pub(super) fn by_property(shape: Option<&str>, npp: Option<&str>) -> Result<Opti
     let named = shape.and_then(|text| match names::shape(text) {
         None if !is_nearly_a_shape(text) => None,
         known => Some(known.ok_or_else(|| {
-            format!("property shape '{text}' is not a shape; name one such as slope-bottom-left (see --help)")
+            format!(
+                "property shape '{text}' is not a shape; name one such as slope-bottom-left (see tilesat help rules)"
+            )
         })),
     });
     let numbered = npp.map(str::trim).map(|text| {

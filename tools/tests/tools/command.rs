@@ -38,6 +38,25 @@ fn commands() {
     }
 }
 
+/// The rules are long, so no command repeats them.
+#[test]
+fn rules_are_printed_once() {
+    let rules = tilesat(["help", "rules"]);
+    let own = "A tile is solid by the first of these rules";
+    assert!(rules.status == 0 && rules.err.is_empty() && rules.out.starts_with(own), "{rules:?}");
+    for line in rules.out.lines() {
+        assert!(line.len() <= 91 && !line.starts_with('-'), "{line}");
+    }
+    for command in ["bake", "lint", "play", "rooms", "sheet"] {
+        let (by_option, by_topic) = (tilesat([command, "--help"]), tilesat(["help", command]));
+        assert!(by_topic.status == 0 && by_topic.out == by_option.out, "{by_topic:?}");
+        assert!(!by_topic.out.contains(own), "{by_topic:?}");
+        assert!(command == "sheet" || by_topic.out.contains("tilesat help rules\n"), "{by_topic:?}");
+    }
+    assert_eq!(tilesat(["help"]).out, tilesat(["--help"]).out);
+    refused(&tilesat(["help", "rule"]), "no topic is called rule; there is help about: rules, bake");
+}
+
 #[test]
 fn the_version() {
     let ran = tilesat(["--version"]);

@@ -28,6 +28,10 @@ fn a_marked_tile_has_its_drawn_shape() {
     let sensor = RAMP.replace(r#"y="0">"#, &format!(r#"y="0">{}"#, property("sensor", true)));
     let text = rows(&["#"]).replace(r#"type="Solid"/>"#, &format!(r#"type="Solid">{sensor}</tile>"#));
     assert_eq!(baked("sensor.tmx", &text)["shapes"]["full"], 1);
+    // As the rules say, a layer of collisions makes it full, too.
+    let text = text.replace(r#"type="Solid">"#, ">").replace(r#"name="World""#, r#"name="Collision""#);
+    assert_eq!(baked("sensor_only.tmx", &text)["shapes"]["full"], 1);
+    assert!(run("help", "rules", "").out.contains("A tile with only sensors counts as one without shapes"));
     let named = r#"type="Solid"><properties><property name="shape" value="half-top"/></properties>"#;
     let text = rows(&["#"]).replace(r#"type="Solid"/>"#, &format!("{named}{RAMP}</tile>"));
     assert_eq!(baked("named.tmx", &text)["shapes"]["half-top"], 1);
