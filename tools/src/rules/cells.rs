@@ -132,11 +132,10 @@ pub(super) fn merge(sheets: &[Sheet<'_>], side: Option<u16>, flags: &mut Flags) 
     if on.is_empty() {
         on = fitting;
     }
-    if on.is_empty() {
-        return Ok(cells);
-    }
     let starts = on.iter().map(|(sheet, parts)| lattice.start(sheet, *parts));
-    let (left, top) = starts.clone().fold((i64::MAX, i64::MAX), |at, start| (at.0.min(start.0), at.1.min(start.1)));
+    // Without a layer on the cells there are none, and all solids are polygons.
+    let least = starts.clone().reduce(|at, start| (at.0.min(start.0), at.1.min(start.1)));
+    let (left, top) = least.unwrap_or((0, 0));
     let ends = on.iter().zip(starts).map(|((sheet, parts), at)| {
         let along = |count: u32| i64::from(count) * i64::from(*parts);
         (at.0 + along(sheet.tiles.width), at.1 + along(sheet.tiles.height))

@@ -291,8 +291,9 @@ fn a_guess_about_a_layer_is_said_once() {
     assert!(ran.err.contains("the tile layer is 'Trees' (3 tiles): add --solid-layer 'Trees'"), "{ran:?}");
 }
 
-/// A project of two levels with the same two layers. Only the number of fine walls differs.
-fn two_grids(offset: i32) -> String {
+/// A project of two levels with the same two layers, and other numbers of fine walls. The last
+/// level can lack the coarse layer.
+fn two_grids(offset: i32, fine: usize, last: bool) -> String {
     let layer = |uid: u32, name: &str, side: u32, csv: &str| {
         let (width, height) = (64 / side, 32 / side);
         format!(
@@ -301,19 +302,20 @@ fn two_grids(offset: i32) -> String {
             if name == "Coarse" { offset } else { 0 }
         )
     };
-    let level = |name: &str, x: i32, fine: usize| {
+    let level = |name: &str, x: i32, fine: usize, both: bool| {
         let values: Vec<&str> = (0..32).map(|cell| if cell < fine { "1" } else { "0" }).collect();
         let (fine, coarse) = (layer(2, "Fine", 8, &values.join(",")), layer(1, "Coarse", 16, "0,2,0,0,1,2,1,1"));
+        let layers = if both { format!("{fine},{coarse}") } else { fine };
         format!(
-            r#"{{"identifier":"{name}","worldX":{x},"worldY":0,"pxWid":64,"pxHei":32,"layerInstances":[{fine},{coarse}]}}"#
+            r#"{{"identifier":"{name}","worldX":{x},"worldY":0,"pxWid":64,"pxHei":32,"layerInstances":[{layers}]}}"#
         )
     };
     format!(
         r#"{{"worldLayout":"Free","defs":{{"layers":[
         {{"uid":1,"intGridValues":[{{"value":1,"identifier":"Wall"}},{{"value":2,"identifier":"Ladder"}}]}},
         {{"uid":2,"intGridValues":[{{"value":1,"identifier":"Wall"}}]}}]}},"levels":[{},{}]}}"#,
-        level("L0", 0, 8),
-        level("L1", 64, 1)
+        level("L0", 0, fine, true),
+        level("L1", 64, 1, last)
     )
 }
 
@@ -321,7 +323,7 @@ fn two_grids(offset: i32) -> String {
 /// its flags.
 #[test]
 fn levels_of_layers_with_several_grids_have_one_size_of_cells() {
-    let file = scratch("ldtk", "two_grids.ldtk", two_grids(0));
+    let file = scratch("ldtk", "two_grids.ldtk", two_grids(0, 8, true));
     let ran = run("bake", &file, "--json");
     let lines: Vec<serde_json::Value> = ran.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     for (level, solid) in lines.iter().zip([20, 13]) {
@@ -333,6 +335,13 @@ fn levels_of_layers_with_several_grids_have_one_size_of_cells() {
     let ran = run("rooms", &file, &format!("-o {}", scratch("ldtk", "two_grids.rs", "").display()));
     assert!(ran.status == 0 && ran.out.contains("rooms   2 of cells of 8 px"), "{ran:?}");
     // Between the cells nothing can have its flags, and a coarse wall is a polygon.
-    let ran = run("bake", scratch("ldtk", "two_grids_moved.ldtk", two_grids(4)), "--json");
+    let ran = run("bake", scratch("ldtk", "two_grids_moved.ldtk", two_grids(4, 8, true)), "--json");
     assert!(ran.out.contains("layer 'Coarse': its flags are in no output"), "{ran:?}");
+    // A level without a layer of the common size has polygons, and is a room like the others.
+    let file = scratch("ldtk", "two_grids_fine.ldtk", two_grids(0, 0, false));
+    let ran = run("bake", &file, "--json");
+    let last: serde_json::Value = serde_json::from_str(ran.last()).unwrap();
+    assert_eq!([&last["cell"], &last["width"], &last["height"], &last["segments"]], [16, 4, 2, 4], "{ran:?}");
+    let ran = run("rooms", &file, &format!("-o {}", scratch("ldtk", "two_grids.rs", "").display()));
+    assert!(ran.status == 0 && ran.out.contains("rooms   2 of cells of 16 px"), "{ran:?}");
 }
