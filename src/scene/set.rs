@@ -91,19 +91,19 @@ impl SleepDifference {
 /// <!-- costs:begin (benches/chips/run.sh --readme writes this) -->
 /// | scene | flash, bytes | stack of a step, bytes | of a [ride](Self::ride) |
 /// |---|--:|--:|--:|
-/// | boxes and circles | 88 533 | 5 960 |  |
-/// | the same, with [`Solid`](crate::Solid) lifts | 101 211 | 6 272 | 3 656 |
-/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 131 477 | 6 272 | 4 408 |
-/// | [`WithCapsules`](super::WithCapsules) |  | 6 224 | 3 792 |
+/// | boxes and circles | 88 601 | 5 960 |  |
+/// | the same, with [`Solid`](crate::Solid) lifts | 101 295 | 6 280 | 3 656 |
+/// | the same, with [`ConvexSolid`](crate::world::ConvexSolid) lifts | 131 549 | 6 280 | 4 408 |
+/// | [`WithCapsules`](super::WithCapsules) |  | 6 216 | 3 784 |
 /// | [`AnyShape`](crate::shape::AnyShape) |  | 7 136 | 4 784 |
 ///
 /// | 64 bodies | instructions per step |
 /// |---|--:|
-/// | fly and land, mean | 207 333 |
-/// | fly and land, at most | 374 580 |
-/// | lie in nooks of slopes, none may sleep | 730 190 |
-/// | the same, if the scene [remembers](Self::remembering) | 109 249 |
-/// | sleep | 57 |
+/// | fly and land, mean | 207 783 |
+/// | fly and land, at most | 375 069 |
+/// | lie in nooks of slopes, none may sleep | 730 904 |
+/// | the same, if the scene [remembers](Self::remembering) | 108 671 |
+/// | sleep | 58 |
 /// <!-- costs:end -->
 #[derive(Clone, Copy, Debug)]
 #[doc(alias("PhysicsWorld", "simulation"))]
