@@ -337,7 +337,7 @@ fn bullets_hit_moving_walls() {
 fn bullets_hit_turned_bodies() {
     let (mut r, mut met) = (Random::new(496), 0);
     let level = open();
-    for _ in 0..cases(tilesat_judge::thorough(6, 20)) {
+    for _ in 0..cases(20) {
         let mut scene = Sorted::<Any>::new(SortSweep::new());
         for (wall, key) in walls((0, 0)).iter().zip(100..) {
             scene.insert(&SceneBody { mass: None, surface: Surface::ELASTIC, ..SceneBody::of(*wall, key) }).unwrap();

@@ -124,22 +124,10 @@ fn judge(runs: impl Iterator<Item = Run>, walks: bool) {
 
 #[test]
 fn what_fits_a_corridor_gets_in() {
-    judge(runs().step_by(11), false);
-}
-
-#[test]
-#[ignore = "two minutes"]
-fn what_fits_a_corridor_gets_in_all() {
-    judge(runs(), false);
+    judge(runs().step_by(tilesat_judge::thorough(11, 1)), false);
 }
 
 #[test]
 fn walkers_that_fit_a_corridor_get_in() {
-    judge(runs().step_by(5), true);
-}
-
-#[test]
-#[ignore = "half a minute"]
-fn walkers_that_fit_a_corridor_get_in_all() {
-    judge(runs(), true);
+    judge(runs().step_by(tilesat_judge::thorough(5, 1)), true);
 }

@@ -126,11 +126,5 @@ fn play(levels: u64) {
 
 #[test]
 fn what_stays_has_no_way_on() {
-    play(tilesat_judge::cases(1_500));
-}
-
-#[test]
-#[ignore = "half a minute"]
-fn what_stays_has_no_way_on_all() {
-    play(100_000);
+    play(tilesat_judge::cases(tilesat_judge::thorough(1_500, 100_000)));
 }

@@ -186,13 +186,8 @@ fn room_to_the_side_alone_is_a_floor() {
 /// What a walk or a slide under gravity leaves where it is, without velocity, is supported.
 #[test]
 fn rests_have_a_floor() {
-    play_rests(600, 20_000);
-}
-
-#[test]
-#[ignore = "ten times as much"]
-fn rests_have_a_floor_all() {
-    play_rests(6_000, 200_000);
+    let more = tilesat_judge::thorough(1, 10);
+    play_rests(600 * more, 20_000 * more as u32);
 }
 
 fn play_rests(seeds: usize, least: u32) {

@@ -183,17 +183,10 @@ impl Case<'_> {
 
 const WAYS: [P; 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
-/// One of 43 of the quads of tiles with such an end in their middle.
+/// One of 43 of the 287 760 quads of tiles with such an end in their middle, or all.
 #[test]
 fn along_the_lines_of_the_grid() {
-    along_the_lines(tilesat_judge::thorough(43, 11));
-}
-
-/// All 287 760 of them.
-#[test]
-#[ignore = "half a minute"]
-fn along_the_lines_of_the_grid_all() {
-    along_the_lines(1);
+    along_the_lines(tilesat_judge::thorough(43, 1));
 }
 
 /// Points and bars along the four lines through the middle, from both sides, to it and beyond.
@@ -221,16 +214,10 @@ fn along_the_lines(step: usize) {
     assert!(tally.hits > least && tally.free > least && tally.inside > 0, "{tally:?}");
 }
 
-/// One of 25 of the ways.
+/// One of 25 of the ways, or all.
 #[test]
 fn from_everywhere_to_everywhere() {
-    everywhere(tilesat_judge::thorough(25, 9));
-}
-
-#[test]
-#[ignore = "half a minute"]
-fn from_everywhere_to_everywhere_all() {
-    everywhere(1);
+    everywhere(tilesat_judge::thorough(25, 1));
 }
 
 /// Each arc tile that ends there with each neighbour in each of the three other cells, the rest

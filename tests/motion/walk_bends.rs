@@ -167,7 +167,7 @@ fn tunnels_of_tiles() {
 /// Of polygons, and with a floor of tiles under a ceiling that is a polygon.
 #[test]
 fn tunnels_of_segments() {
-    through_all(cases(tilesat_judge::thorough(8, 32)) / 8, &mut |walk, body| {
+    through_all(cases(32) / 8, &mut |walk, body| {
         let floor = walk.ground.level();
         for kind in [Kind::Box, Kind::Ball, Kind::Pill] {
             with_polygons(walk.ground, true, |map| walk.through(map, body(kind)));
