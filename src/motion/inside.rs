@@ -78,7 +78,8 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
     let mut contacts = heapless::Vec::<_, PUSHES>::new();
     let mut left = heapless::Vec::<LeftSurface, PUSHES>::new();
     let (mut pushed, mut made) = (*body, Raw::ZERO);
-    let size = Kernel::bounds(body).hi().sub(Kernel::bounds(body).lo());
+    let bounds = Kernel::bounds(body);
+    let size = bounds.hi().sub(bounds.lo());
     let most = size.x.max(size.y).unsigned_abs();
     loop {
         if !pushed.overlaps_world(world) {
@@ -94,7 +95,7 @@ pub fn escape<W: World, B: Body + Pushable>(world: &W, body: &B) -> Result<B, St
             break;
         }
         let to = here.at.add(here.along(back));
-        if left.push(here).is_err() || check_inside(&Kernel::bounds(body), to).is_err() {
+        if left.push(here).is_err() || check_inside(&bounds, to).is_err() {
             break;
         }
         (pushed, made) = (body.shifted(to), to);

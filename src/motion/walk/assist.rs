@@ -76,14 +76,11 @@ impl<S: Law> Mover<S> {
             return None;
         }
         let n = face_of(&hit)?;
-        let bounds = run.moved.body.bounds();
         let mut best = None;
         let side = along(n.perp(), reach);
         // Never against the velocity: the next call could undo that step, and the body would stay.
         for side in [side, side.reversed()].into_iter().filter(|side| side.dot(d) >= 0) {
             let Some((least, free)) = past(world, run, (&hit, n), side) else { continue };
-            let whole = beyond(&bounds, &hit, side);
-            let least = if way(whole) > way(least) { whole } else { least };
             // The position at the hit was rounded: a surface that the motion comes nearer to may
             // need one more unit.
             let next = least.add(Raw { x: side.x.signum(), y: side.y.signum() });
@@ -143,6 +140,11 @@ fn past<W: World, B: Body>(
         Some(ground) => ground.drop(),
         None => within(&bounds, side),
     };
+    // The bounds pass as a whole, or nothing does.
+    let whole = beyond(&bounds, hit, side);
+    if way(whole) > way(free) {
+        return None;
+    }
     // Past the ends of one obstacle after the other: from the far end of the free way back, the
     // first one would be the last. A round body may come farther before its bounds do.
     let (mut start, mut aside, mut ground) = (free, Raw::ZERO, *hit);
@@ -167,7 +169,8 @@ fn past<W: World, B: Body>(
     // One raw unit beyond the current position: a surface that is only touched is no hit.
     let back = start.reversed().sub(Raw { x: side.x.signum(), y: side.y.signum() });
     let edge = run.look_from(world, ahead.add(start), back)?;
-    Some((start.add(edge.drop()), free))
+    let least = start.add(edge.drop());
+    Some((if way(whole) > way(least) { whole } else { least }, free))
 }
 
 /// The way to a side, along x or y, from which bounds pass all of what they hit.
