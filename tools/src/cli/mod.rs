@@ -29,6 +29,8 @@ tilesat COMMAND --help lists the arguments of each. tilesat help rules prints wh
 solid in a level, and why. tilesat --version prints the version.
 ";
 
+const COMMANDS: [&str; 5] = ["bake", "rooms", "lint", "play", "sheet"];
+
 /// The whole program except for the process around it. Returns the exit status.
 pub fn run(args: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let mut out = tell::Checked::new(out);
@@ -54,10 +56,7 @@ fn command(mut args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &
             0
         }
         Some(other) => {
-            tell::tell(
-                err,
-                &format!("tilesat: no command is called {other}; there are: bake, rooms, lint, play, sheet"),
-            );
+            tell::tell(err, &format!("tilesat: no command is called {other}; there are: {}", COMMANDS.join(", ")));
             2
         }
         None => {
@@ -70,17 +69,14 @@ fn command(mut args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &
 /// A topic, or the usage of a command.
 fn help(mut args: impl Iterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> u8 {
     let topic = args.next().map(|topic| topic.to_string_lossy().into_owned());
-    let usage = std::iter::once(OsString::from("--help"));
     match topic.as_deref() {
         None => tell::usage(out, USAGE),
         Some("rules") => tell::usage(out, rules::RULES),
-        Some("bake") => return bake::run(usage, out, err),
-        Some("lint") => return lint::run(usage, out, err),
-        Some("play") => return play::run(&play::Program::default(), usage, out, err),
-        Some("rooms") => return rooms::run(usage, out, err),
-        Some("sheet") => return sheet::run(usage, out, err),
+        Some(name) if COMMANDS.contains(&name) => {
+            return command([name, "--help"].map(OsString::from).into_iter(), out, err);
+        }
         Some(other) => {
-            let topics = "there is help about: rules, bake, rooms, lint, play, sheet";
+            let topics = format!("there is help about: rules, {}", COMMANDS.join(", "));
             tell::tell(err, &format!("tilesat help: no topic is called {other}; {topics}"));
             return 2;
         }

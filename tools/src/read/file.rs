@@ -54,6 +54,11 @@ impl Files {
         text::utf8(self.bytes(path)?)
     }
 
+    /// The same of a file that another one names. If it is gone, the reason says what to do.
+    pub(crate) fn utf8_or(&mut self, path: &Path, gone: &str) -> Result<Vec<u8>, String> {
+        self.utf8(path).map_err(|why| if path.exists() { why } else { format!("{why}: {gone}") })
+    }
+
     /// The path of a file that another file in this folder names. Some systems write `\\` between
     /// folders, and do not distinguish case. A file is taken for it if it is the only one.
     pub(crate) fn named(&mut self, folder: &Path, name: &str) -> PathBuf {

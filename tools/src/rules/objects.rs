@@ -204,8 +204,7 @@ pub(super) fn kind(object: &Object, says: Says, options: &Options) -> Result<Opt
         return Ok(Some(kind));
     }
     let own: Vec<String> = names(object).map(str::to_owned).collect();
-    let known: Vec<String> = own.iter().cloned().chain(object.properties.valued()).collect();
-    match options.shape(&known) {
+    match options.shape(&known(object)) {
         Some((_, TileShape::Empty)) => return Ok(None),
         Some((_, shape)) => return Ok(Some(if super::names::is_one_way(shape) { Kind::OneWay } else { by_form })),
         None => {}
@@ -259,10 +258,7 @@ pub(super) fn contradicted(object: &Object, layer: &Layer, options: &Options) ->
     let Some(denied) = [&object.properties, &object.fields].into_iter().find_map(marked::denied) else {
         return Ok(None);
     };
-    let by_user = || {
-        let known: Vec<String> = names(object).map(str::to_owned).chain(object.properties.valued()).collect();
-        by_option(layer, options) || options.shape(&known).is_some()
-    };
+    let by_user = || by_option(layer, options) || options.shape(&known(object)).is_some();
     let solid = kind(object, Says::Nothing, options)?.is_some_and(Kind::is_solid) && form::has_extent(object);
     let counts = solid && !marked::senses(&object.class, &object.properties) && !by_user();
     Ok(if counts && overridden(object, options)?.is_none() { Some(denied.to_owned()) } else { None })
@@ -298,6 +294,11 @@ fn names(object: &Object) -> impl Iterator<Item = &str> {
     let fields = fields.map(|(name, _)| name.as_str());
     let own = [object.class.as_str()].into_iter().chain(object.properties.marks()).chain(fields);
     own.map(str::trim).filter(|name| !name.is_empty())
+}
+
+/// Its names, and its other properties with their values, by which an option knows it.
+fn known(object: &Object) -> Vec<String> {
+    names(object).map(str::to_owned).chain(object.properties.valued()).collect()
 }
 
 fn flags(object: &Object, options: &Options) -> Vec<String> {

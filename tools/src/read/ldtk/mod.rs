@@ -147,10 +147,8 @@ impl Reader<'_> {
         if let (None, Some(file)) = (&level.layer_instances, &level.external_rel_path) {
             let path = self.files.named(self.folder, file);
             let of_file = |why: String| format!("{}: {why}", path.display());
-            let bytes = self.files.utf8(&path).map_err(|why| {
-                let gone = "put it there, or save the project again in LDtk";
-                of_file(if path.exists() { why } else { format!("{why}: {gone}") })
-            })?;
+            let gone = "put it there, or save the project again in LDtk";
+            let bytes = self.files.utf8_or(&path, gone).map_err(of_file)?;
             let apart: raw::Level =
                 json::parse(&bytes).map_err(|why| of_file(format!("not a level of LDtk: {why}")))?;
             level.layer_instances = apart.layer_instances;

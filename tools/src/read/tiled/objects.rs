@@ -50,9 +50,9 @@ impl Templates {
         let path = files.named(folder, name);
         if !self.objects.contains_key(&path) {
             let of_file = |why: String| format!("object {}: template {}: {why}", object.id, path.display());
-            let bytes = match files.utf8(&path) {
+            let bytes = match files.utf8_or(&path, LOCATE) {
                 Err(why) if !path.exists() => {
-                    let why = of_file(format!("{why}: {LOCATE}"));
+                    let why = of_file(why);
                     return Ok((object, Some(why)));
                 }
                 read => read.map_err(of_file)?,

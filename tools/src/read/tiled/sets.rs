@@ -93,11 +93,11 @@ impl Sets {
             return Ok(index);
         }
         let of_file = |why: String| format!("tileset {}: {why}", path.display());
-        let bytes = match files.utf8(&path) {
+        let bytes = match files.utf8_or(&path, LOCATE) {
             Err(why) if !path.exists() => {
                 let name =
                     Path::new(&source.replace('\\', "/")).file_stem().unwrap_or_default().to_string_lossy().into();
-                let missing = Some(of_file(format!("{why}: {LOCATE}")));
+                let missing = Some(of_file(why));
                 let set = Tileset { name, size: self.cell, columns: 1, align: (0, 2), missing, ..Tileset::default() };
                 self.all.push(Rc::new(set));
                 self.known.insert(path, self.all.len() - 1);

@@ -56,10 +56,8 @@ pub(in crate::read) fn read(bytes: &[u8], pick: Pick<'_>, path: &Path, files: &m
         }
         let file = files.named(folder, &listed.file_name);
         let of_map = |why: String| format!("map '{name}': {}: {why}", file.display());
-        let bytes = files.utf8(&file).map_err(|why| {
-            let gone = "put it there, or remove it with Tiled's World Tool";
-            of_map(if file.exists() { why } else { format!("{why}: {gone}") })
-        })?;
+        let gone = "put it there, or remove it with Tiled's World Tool";
+        let bytes = files.utf8_or(&file, gone).map_err(of_map)?;
         let (mut map, infinite) = super::map(bytes, &file, files, &mut projects).map_err(of_map)?;
         let tiles = map.layers.iter().filter_map(|layer| layer.tiles());
         cells += tiles.map(|tiles| tiles.cells.len() as u64).sum::<u64>();
